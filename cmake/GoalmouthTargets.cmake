@@ -1,0 +1,80 @@
+# goalmouth_library(NAME [DEPENDS target...])   a library of all *.cpp in the current folder: goalmouth::NAME
+# goalmouth_module(NAME [DEPENDS target...])    a process: library goalmouth::module_NAME from all *.cpp but main.cpp,
+#                                               and the program NAME from main.cpp
+# goalmouth_program(NAME [DEPENDS target...])   a program of all *.cpp in the current folder
+# goalmouth_tests(NAME [DEPENDS target...])     one GoogleTest program of all *.cpp in the current folder
+
+set(GOALMOUTH_WARNINGS -Wall -Wextra -Wconversion -Wshadow -Wnon-virtual-dtor -Werror)
+
+function(goalmouth_our_code target)
+  target_compile_options(${target} PRIVATE ${GOALMOUTH_WARNINGS})
+  if(GOALMOUTH_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${GOALMOUTH_SANITIZE} -fno-omit-frame-pointer
+                                             -fno-sanitize-recover=all)
+    target_link_options(${target} PUBLIC -fsanitize=${GOALMOUTH_SANITIZE})
+  endif()
+endfunction()
+
+function(goalmouth_library name)
+  cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  if(NOT sources)  # headers only
+    add_library(goalmouth_${name} INTERFACE)
+    add_library(goalmouth::${name} ALIAS goalmouth_${name})
+    target_include_directories(goalmouth_${name} INTERFACE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(goalmouth_${name} INTERFACE ${arg_DEPENDS})
+    return()
+  endif()
+  add_library(goalmouth_${name} STATIC ${sources})
+  add_library(goalmouth::${name} ALIAS goalmouth_${name})
+  target_include_directories(goalmouth_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(goalmouth_${name} PUBLIC ${arg_DEPENDS})
+  goalmouth_our_code(goalmouth_${name})
+endfunction()
+
+function(goalmouth_module name)
+  cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  add_library(goalmouth_module_${name} STATIC ${sources})
+  add_library(goalmouth::module_${name} ALIAS goalmouth_module_${name})
+  target_include_directories(goalmouth_module_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(goalmouth_module_${name} PUBLIC goalmouth::process goalmouth::messaging
+                                                        goalmouth::conversion ${arg_DEPENDS})
+  goalmouth_our_code(goalmouth_module_${name})
+  add_executable(${name} main.cpp)
+  target_link_libraries(${name} PRIVATE goalmouth::module_${name})
+  goalmouth_our_code(${name})
+  set_property(GLOBAL APPEND PROPERTY GOALMOUTH_PROGRAMS ${name})
+  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()
+
+function(goalmouth_program name)
+  cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  add_executable(${name} ${sources})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${arg_DEPENDS})
+  goalmouth_our_code(${name})
+  set_property(GLOBAL APPEND PROPERTY GOALMOUTH_PROGRAMS ${name})
+  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()
+
+function(goalmouth_tests name)
+  cmake_parse_arguments(arg "" "TIMEOUT" "DEPENDS" ${ARGN})
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 120)
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(test_${name} ${sources})
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(test_${name} PRIVATE ${arg_DEPENDS} goalmouth::test_support GTest::gtest GTest::gmock GTest::gtest_main)
+  target_compile_definitions(test_${name} PRIVATE GOALMOUTH_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                                                  GOALMOUTH_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  goalmouth_our_code(test_${name})
+  gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120
+                       PROPERTIES TIMEOUT ${arg_TIMEOUT} SKIP_REGULAR_EXPRESSION "skipped: ")
+endfunction()

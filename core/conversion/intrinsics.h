@@ -1,0 +1,12 @@
+#pragma once
+
+#include <goalmouth/intrinsics_t.hpp>
+
+#include "core/geometry/camera.h"
+
+namespace goalmouth {
+
+intrinsics_t to_message(const Intrinsics& camera);
+Intrinsics from_message(const intrinsics_t& message);
+
+}  // namespace goalmouth
