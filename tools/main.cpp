@@ -10,6 +10,13 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.fallthrough(false);
     goalmouth::Action action;
+    goalmouth::add_demo_verb(app, action);
+    goalmouth::add_launch_verb(app, action);
+    goalmouth::add_graph_verb(app, action);
+    goalmouth::add_detect_verb(app, action);
+    goalmouth::add_colours_verb(app, action);
+    goalmouth::add_spy_verb(app, action);
+    goalmouth::add_completion_verb(app, action);
     try {
         app.parse(argc, argv);
         return action();
