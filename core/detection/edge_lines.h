@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/detection/primitive_ransac.h"
+#include "core/geometry/line.h"
+#include "core/random/random.h"
+
+namespace goalmouth {
+
+/// One side of something: a fitted line with the stretch of it that edge points support.
+struct EdgeLine {
+    LineSegment segment;  // between the feet of the extreme points of the consensus set
+    int support = 0;      // points of the consensus set (n₁, n₂ of the pairing)
+    double rms = 0.0;     // px, of the points' distances from the line
+};
+
+/// Up to M_max lines among edge points, the best supported first found first.
+std::vector<EdgeLine> find_lines(const std::vector<Eigen::Vector2d>& points, const RansacParameters& parameters, Random& random);
+
+}  // namespace goalmouth

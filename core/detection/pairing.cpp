@@ -1,0 +1,89 @@
+#include "core/detection/pairing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+namespace goalmouth {
+namespace {
+
+double nearest_end(const Eigen::Vector2d& p, const LineSegment& s) {
+    return std::min((p - s.upper).norm(), (p - s.lower).norm());
+}
+
+bool plausible(const PairMeasures& m, double width_times_distance, const PairingParameters& parameters) {
+    if (parameters.left_of && m.width <= 0.0) return false;
+    const double width = std::abs(m.width);
+    if (m.length < parameters.least_aspect * width) return false;
+    if (parameters.farthest <= 0.0) return true;
+    return width_times_distance >= parameters.nearest * width && width_times_distance <= parameters.farthest * width;
+}
+
+}  // namespace
+
+double PairMeasures::dissimilarity() const {
+    const auto share = [](double value, double bound) { return bound > 0.0 ? value / bound : 1.0; };
+    return 0.25 * (share(angle, angle_bound) + share(length_difference, length_bound) +
+                   share(endpoint_distance, endpoint_bound) + share(support_difference, support_bound));
+}
+
+double width_across(const LineSegment& left, const LineSegment& right) {
+    Eigen::Vector2d other = right.line.normal;
+    if (left.line.normal.dot(other) < 0.0) other = -other;
+    const Line across_axis = line_with_normal(left.line.normal + other, Eigen::Vector2d::Zero());
+    const Eigen::Vector2d across = across_axis.normal;
+    const Line cut = line_with_normal(across_axis.direction(), 0.5 * (left.middle() + right.middle()));
+    const auto a = intersection(cut, left.line);
+    const auto b = intersection(cut, right.line);
+    if (!a || !b) return 0.0;
+    return across.dot(*b - *a);
+}
+
+PairMeasures compare_edges(const EdgeLine& left, const EdgeLine& right, int image_width, int image_height, double permissiveness) {
+    const double l1 = left.segment.length();
+    const double l2 = right.segment.length();
+    PairMeasures m;
+    m.angle = acute_angle(left.segment.line, right.segment.line);
+    m.angle_bound = permissiveness * std::numbers::pi / 2.0;
+    m.length_difference = std::abs(l1 - l2);
+    m.length_bound = permissiveness * std::max(l1, l2);
+    m.endpoint_distance =
+        0.5 * (nearest_end(left.segment.upper, right.segment) + nearest_end(left.segment.lower, right.segment));
+    m.endpoint_bound = permissiveness * std::hypot(image_width, image_height);
+    m.support_difference = std::abs(left.support - right.support);
+    m.support_bound = permissiveness * std::max(left.support, right.support);
+    m.width = width_across(left.segment, right.segment);
+    m.length = 0.5 * (l1 + l2);
+    return m;
+}
+
+std::vector<EdgePair> pair_edges(const std::vector<EdgeLine>& left, const std::vector<EdgeLine>& right, int image_width,
+                                 int image_height, double width_times_distance, const PairingParameters& parameters) {
+    struct Scored {
+        EdgePair pair;
+        double dissimilarity;
+    };
+    std::vector<Scored> acceptable;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        for (std::size_t j = 0; j < right.size(); ++j) {
+            const PairMeasures m = compare_edges(left[i], right[j], image_width, image_height, parameters.permissiveness);
+            if (m.similar() && plausible(m, width_times_distance, parameters)) {
+                acceptable.push_back({{i, j}, m.dissimilarity()});
+            }
+        }
+    }
+    std::stable_sort(acceptable.begin(), acceptable.end(),
+                     [](const Scored& a, const Scored& b) { return a.dissimilarity < b.dissimilarity; });
+
+    std::vector<EdgePair> pairs;
+    for (const auto& [pair, ignored] : acceptable) {
+        const bool taken = std::any_of(pairs.begin(), pairs.end(), [&](const EdgePair& p) {
+            return p.left == pair.left || p.right == pair.right;
+        });
+        if (!taken) pairs.push_back(pair);
+    }
+    return pairs;
+}
+
+}  // namespace goalmouth

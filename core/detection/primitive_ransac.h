@@ -1,0 +1,101 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/parameters/parameters.h"
+#include "core/random/random.h"
+
+namespace goalmouth {
+
+/// Parameters of Algorithm 2 with the paper's values.
+struct RansacParameters {
+    int attempts = 50;
+    int minimum_points = 6;
+    double inlier_distance = 5.0;
+    int maximum_models = 3;
+};
+
+template <class Visitor>
+void describe_parameters(Visitor& v, RansacParameters& p) {
+    v("attempts", p.attempts, Range{1, 1000000}, "1", "hypotheses drawn for each primitive (k; the 2013 robot code: 100)");
+    v("minimum_points", p.minimum_points, Range{2, 1000000}, "1", "points a primitive needs (n)");
+    v("inlier_distance", p.inlier_distance, above(0), "px", "points nearer than this agree with a primitive (d)");
+    v("maximum_models", p.maximum_models, Range{1, 1000}, "1", "primitives sought in each set of points (M_max)");
+}
+
+/// A primitive and the points that agree with it.
+template <class Primitive>
+struct Consensus {
+    Primitive primitive;                  // fitted to all points of the consensus set
+    std::vector<Eigen::Vector2d> points;  // px, the consensus set, in the order of the input
+};
+
+/// Algorithm 2 of the paper: RANSAC for several models in one set of points, for any primitive.
+///
+/// A Primitive has
+///     static constexpr std::size_t sample_size;                                          points that define it
+///     static std::optional<Primitive> through(std::span<const Eigen::Vector2d> sample);  nothing for a degenerate sample
+///     static std::optional<Primitive> fit(std::span<const Eigen::Vector2d> points);      least squares
+///     double distance(const Eigen::Vector2d&) const;                                     px
+///
+/// Errors in the text, mended by their evident intent:
+///   * the loop ends when |L| = M_max models are found (the text compares |P_best|);
+///   * a model is accepted when |P_best| ≥ n (the text tests |P_inliers|, the last hypothesis's set).
+/// And where the text is silent: the sample's points are different ones of the set; a degenerate sample uses up its attempt; of
+/// consensus sets of equal size the first stays; where not one attempt found any inlier (all points equal), the search ends, because
+/// P would never shrink; a consensus set without a least-squares fit is removed like one that is too small.
+template <class Primitive>
+std::vector<Consensus<Primitive>> find_primitives(std::vector<Eigen::Vector2d> points, const RansacParameters& parameters,
+                                                  Random& random) {
+    constexpr std::size_t sample_size = Primitive::sample_size;
+    const auto minimum = std::max(static_cast<std::size_t>(parameters.minimum_points), sample_size);
+    std::vector<Consensus<Primitive>> found;                                       // L
+    std::vector<std::size_t> order;
+    while (points.size() >= minimum && found.size() < static_cast<std::size_t>(parameters.maximum_models)) {
+        std::vector<char> best(points.size(), 0);  // P_best as a mask over P
+        std::size_t best_count = 0;
+        order.resize(points.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        for (int attempt = 0; attempt < parameters.attempts; ++attempt) {
+            std::array<Eigen::Vector2d, sample_size> sample;
+            for (std::size_t i = 0; i < sample_size; ++i) {
+                const auto left = static_cast<std::uint32_t>(points.size() - i);
+                std::swap(order[i], order[i + random.index(left)]);
+                sample[i] = points[order[i]];
+            }
+            const auto hypothesis = Primitive::through(sample);
+            if (!hypothesis) continue;
+            std::vector<char> inliers(points.size(), 0);
+            std::size_t count = 0;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                inliers[i] = hypothesis->distance(points[i]) < parameters.inlier_distance;
+                count += static_cast<std::size_t>(inliers[i]);
+            }
+            if (count > best_count) {
+                best_count = count;
+                best.swap(inliers);
+            }
+        }
+        if (best_count == 0) break;
+
+        std::vector<Eigen::Vector2d> consensus;
+        std::vector<Eigen::Vector2d> rest;
+        for (std::size_t i = 0; i < points.size(); ++i) (best[i] ? consensus : rest).push_back(points[i]);
+        if (best_count >= minimum) {
+            if (const auto primitive = Primitive::fit(consensus)) found.push_back({*primitive, std::move(consensus)});
+        }
+        points = std::move(rest);
+    }
+    return found;
+}
+
+}  // namespace goalmouth

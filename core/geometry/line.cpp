@@ -1,0 +1,83 @@
+#include "core/geometry/line.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace goalmouth {
+
+double Line::distance(const Eigen::Vector2d& p) const { return std::abs(signed_distance(p)); }
+
+std::optional<double> Line::x_at(double y) const {
+    if (std::abs(normal.x()) < 1e-12) return std::nullopt;
+    return (offset - normal.y() * y) / normal.x();
+}
+
+Line line_with_normal(const Eigen::Vector2d& normal, const Eigen::Vector2d& p) {
+    Line line;
+    line.normal = normal.normalized();
+    if (line.normal.x() < 0.0 || (line.normal.x() == 0.0 && line.normal.y() < 0.0)) line.normal = -line.normal;
+    line.offset = line.normal.dot(p);
+    return line;
+}
+
+std::optional<Line> line_through(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    const Eigen::Vector2d along = b - a;
+    if (along.squaredNorm() == 0.0) return std::nullopt;
+    return line_with_normal({along.y(), -along.x()}, a);
+}
+
+std::optional<Line> fit_line(std::span<const Eigen::Vector2d> points) {
+    if (points.size() < 2) return std::nullopt;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const auto& p : points) mean += p;
+    mean /= static_cast<double>(points.size());
+
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
+    for (const auto& p : points) {
+        const Eigen::Vector2d q = p - mean;
+        xx += q.x() * q.x();
+        xy += q.x() * q.y();
+        yy += q.y() * q.y();
+    }
+    // The scatter's axes differ by `spread`; rounding alone leaves about 1e-16 of the coordinates' squares.
+    const double spread = std::hypot(xx - yy, 2.0 * xy);
+    const double rounding = 1e-13 * (mean.squaredNorm() + 1.0) * static_cast<double>(points.size());
+    if (spread <= rounding) return std::nullopt;
+
+    // Direction of the larger eigenvector of the scatter matrix.
+    const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
+    return line_with_normal({-std::sin(angle), std::cos(angle)}, mean);
+}
+
+double acute_angle(const Line& a, const Line& b) {
+    const double sine = a.normal.x() * b.normal.y() - a.normal.y() * b.normal.x();
+    return std::atan2(std::abs(sine), std::abs(a.normal.dot(b.normal)));
+}
+
+LineSegment segment_on_line(const Line& line, std::span<const Eigen::Vector2d> points) {
+    assert(!points.empty());
+    const Eigen::Vector2d along = line.direction();
+    double first = along.dot(points.front());
+    double last = first;
+    for (const auto& p : points) {
+        const double s = along.dot(p);
+        first = std::min(first, s);
+        last = std::max(last, s);
+    }
+    const Eigen::Vector2d a = line.offset * line.normal + first * along;
+    const Eigen::Vector2d b = line.offset * line.normal + last * along;
+    // direction() runs down the image except for a horizontal line, where it runs to −x.
+    if (along.y() <= 0.0) return {line, b, a};
+    return {line, a, b};
+}
+
+std::optional<Eigen::Vector2d> intersection(const Line& a, const Line& b) {
+    const double determinant = a.normal.x() * b.normal.y() - a.normal.y() * b.normal.x();
+    if (std::abs(determinant) < 1e-12) return std::nullopt;
+    return Eigen::Vector2d((a.offset * b.normal.y() - b.offset * a.normal.y()) / determinant,
+                           (b.offset * a.normal.x() - a.offset * b.normal.x()) / determinant);
+}
+
+}  // namespace goalmouth
