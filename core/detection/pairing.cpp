@@ -58,8 +58,45 @@ PairMeasures compare_edges(const EdgeLine& left, const EdgeLine& right, int imag
     return m;
 }
 
-std::vector<EdgePair> pair_edges(const std::vector<EdgeLine>& left, const std::vector<EdgeLine>& right, int image_width,
-                                 int image_height, double width_times_distance, const PairingParameters& parameters) {
+std::pair<EdgeLine, EdgeLine> common_rows(const EdgeLine& left, const EdgeLine& right, int image_width, double margin) {
+    const auto cut = [&](const LineSegment& s) {
+        return std::min(s.upper.x(), s.lower.x()) < margin || std::max(s.upper.x(), s.lower.x()) > image_width - 1 - margin;
+    };
+    const double top = std::max(left.segment.upper.y(), right.segment.upper.y());
+    const double base = std::min(left.segment.lower.y(), right.segment.lower.y());
+    if (base <= top || !(cut(left.segment) || cut(right.segment))) return {left, right};
+    const auto clipped = [&](EdgeLine edge) {
+        const double length = edge.segment.length();
+        edge.segment.upper = {edge.segment.line.x_at(top).value_or(edge.segment.upper.x()), top};
+        edge.segment.lower = {edge.segment.line.x_at(base).value_or(edge.segment.lower.x()), base};
+        edge.support = static_cast<int>(std::lround(edge.support * edge.segment.length() / length));
+        return edge;
+    };
+    return {clipped(left), clipped(right)};
+}
+
+double largest_hole(const LineSegment& left, const LineSegment& right, const Candidates& candidates) {
+    const double top = std::max(left.upper.y(), right.upper.y());
+    const double base = std::min(left.lower.y(), right.lower.y());
+    if (base <= top) return 1.0;
+    std::vector<double> covered{top, base};
+    for (const CandidateSegment& s : candidates.segments) {
+        if (s.orientation != Orientation::horizontal || s.line < top || s.line > base) continue;
+        const auto l = left.line.x_at(s.line);
+        const auto r = right.line.x_at(s.line);
+        if (!l || !r) continue;
+        const double overlap = std::min(s.end + 0.5, *r) - std::max(s.start - 0.5, *l);
+        if (overlap > 0.0 && overlap >= 0.5 * (*r - *l)) covered.push_back(s.line);
+    }
+    std::sort(covered.begin(), covered.end());
+    double hole = 0.0;
+    for (std::size_t i = 1; i < covered.size(); ++i) hole = std::max(hole, covered[i] - covered[i - 1]);
+    return hole / (base - top);
+}
+
+std::vector<EdgePair> pair_edges(const std::vector<EdgeLine>& left, const std::vector<EdgeLine>& right,
+                                 const Candidates& candidates, double width_times_distance,
+                                 const PairingParameters& parameters) {
     struct Scored {
         EdgePair pair;
         double dissimilarity;
@@ -67,10 +104,11 @@ std::vector<EdgePair> pair_edges(const std::vector<EdgeLine>& left, const std::v
     std::vector<Scored> acceptable;
     for (std::size_t i = 0; i < left.size(); ++i) {
         for (std::size_t j = 0; j < right.size(); ++j) {
-            const PairMeasures m = compare_edges(left[i], right[j], image_width, image_height, parameters.permissiveness);
-            if (m.similar() && plausible(m, width_times_distance, parameters)) {
-                acceptable.push_back({{i, j}, m.dissimilarity()});
-            }
+            const auto [l, r] = common_rows(left[i], right[j], candidates.width, parameters.cut_margin);
+            const PairMeasures m = compare_edges(l, r, candidates.width, candidates.height, parameters.permissiveness);
+            if (!m.similar() || !plausible(m, width_times_distance, parameters)) continue;
+            if (parameters.largest_hole < 1.0 && largest_hole(l.segment, r.segment, candidates) > parameters.largest_hole) continue;
+            acceptable.push_back({{i, j}, m.dissimilarity()});
         }
     }
     std::stable_sort(acceptable.begin(), acceptable.end(),

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "core/detection/edge_lines.h"
+#include "core/extraction/candidates.h"
 #include "core/parameters/parameters.h"
 
 namespace goalmouth {
@@ -15,6 +17,8 @@ struct PairingParameters {
     double least_aspect = 1.5;
     double nearest = 0.2;
     double farthest = 10.0;
+    double cut_margin = 0.0;
+    double largest_hole = 1.0;
 };
 
 template <class Visitor>
@@ -25,6 +29,10 @@ void describe_parameters(Visitor& v, PairingParameters& p) {
     v("least_aspect", p.least_aspect, Range{0, 1000}, "1", "least length of a post over its width (2013 robot code: 1.5); 0: any");
     v("nearest", p.nearest, Range{0, 1000}, "m", "nearest plausible distance by width (ours; the 2013 robot code had such a bound)");
     v("farthest", p.farthest, Range{0, 1000}, "m", "farthest plausible distance by width (ours); 0: any distance passes");
+    v("cut_margin", p.cut_margin, at_least(0), "px",
+      "edges that end nearer than this to the image's left or right border are compared over the rows both have (ours); 0: as any other");
+    v("largest_hole", p.largest_hole, Range{0, 1}, "1",
+      "longest stretch of a post without the post's colour, as a share of its length (ours); 1: any");
 }
 
 /// Two edge lines measured against each other (paper, section 4). Each value is accepted while it is below its bound.
@@ -60,12 +68,22 @@ struct EdgePair {
     std::size_t right;
 };
 
-/// The pairs of edges that satisfy the paper's four conditions and, as far as switched on, those of the authors' 2013 robot code.
-/// `width_times_distance` [px·m] is γ_x times the post's diameter: a pair's distance is this over its width.
+/// The edges over the rows that both have, where the image's left or right border cuts one of them to within `margin` px of its end;
+/// support shrinks with the length. Otherwise as they are. Both keep their lines.
+std::pair<EdgeLine, EdgeLine> common_rows(const EdgeLine& left, const EdgeLine& right, int image_width, double margin);
+
+/// Longest stretch of rows between two edges, as a share of their common rows, in which no candidate segment covers half of the width
+/// between them. 1 for edges without common rows.
+double largest_hole(const LineSegment& left, const LineSegment& right, const Candidates& candidates);
+
+/// The pairs of edges that satisfy the paper's four conditions and, as far as switched on, the rules of the authors' 2013 robot code
+/// and ours. `candidates` are what the edges were found among. `width_times_distance` [px·m] is γ_x times the post's diameter: a
+/// pair's distance is this over its width.
 ///
 /// The text collects every pair that passes. An edge has but one post, though, so a line is used once: pairs are taken in the order
 /// of their dissimilarity, the most alike first, as long as both lines are free.
-std::vector<EdgePair> pair_edges(const std::vector<EdgeLine>& left, const std::vector<EdgeLine>& right, int image_width,
-                                 int image_height, double width_times_distance, const PairingParameters& parameters);
+std::vector<EdgePair> pair_edges(const std::vector<EdgeLine>& left, const std::vector<EdgeLine>& right,
+                                 const Candidates& candidates, double width_times_distance,
+                                 const PairingParameters& parameters);
 
 }  // namespace goalmouth

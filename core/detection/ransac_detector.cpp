@@ -36,7 +36,7 @@ std::vector<Post> detect_posts_by_ransac(const Candidates& candidates, const Int
                                          const RansacDetectorParameters& parameters, Random& random) {
     const auto left = find_lines(candidates.left_edges, parameters.ransac, random);
     const auto right = find_lines(candidates.right_edges, parameters.ransac, random);
-    const auto pairs = pair_edges(left, right, candidates.width, candidates.height, camera.fx * diameter, parameters.pairing);
+    const auto pairs = pair_edges(left, right, candidates, camera.fx * diameter, parameters.pairing);
 
     std::vector<Post> posts;
     for (const auto& [i, j] : pairs) {

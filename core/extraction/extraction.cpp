@@ -15,13 +15,18 @@ struct Run {
     int row = 0;  // number of the horizontal scan-line, from the top
 };
 
+bool belong_together(const CandidateSegment& a, const Segment& b, const CandidateParameters& parameters) {
+    const int gap = b.start - a.end - 1;
+    return gap <= parameters.largest_gap || gap <= parameters.gap_share * (a.length() + b.length());
+}
+
 std::vector<Run> runs_on_line(const Segments& all, const ScanLine& line, const CandidateParameters& parameters) {
     const int size = line.orientation == Orientation::horizontal ? all.width : all.height;
     std::vector<Run> runs;
     for (int i = line.first; i < line.first + line.count; ++i) {
         const Segment& s = all.segments[static_cast<std::size_t>(i)];
         if (s.colour != Colour::goal) continue;
-        if (runs.empty() || s.start - runs.back().segment.end - 1 > parameters.largest_gap) {
+        if (runs.empty() || !belong_together(runs.back().segment, s, parameters)) {
             runs.push_back({{line.orientation, line.position, s.start, s.end}, std::nullopt, std::nullopt, 0});
             if (i > line.first) runs.back().entry = s.transition;
         }
@@ -59,36 +64,39 @@ bool crosses(const CandidateSegment& vertical, const CandidateSegment& horizonta
            horizontal.line >= vertical.start && horizontal.line <= vertical.end;
 }
 
-/// For each run whether its region stands on the field. Horizontal runs come in rows from top to bottom.
-class PositionRule {
-  public:
-    PositionRule(const FieldBorder& border, int image_height, const CandidateParameters& parameters)
-        : border_(border), tolerance_(parameters.border_tolerance * image_height), gap_(parameters.region_gap) {}
-
-    std::vector<bool> stands(const std::vector<Run>& runs) const {
-        Regions regions(runs.size());
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            for (std::size_t j = i; j-- > 0 && runs[i].row - runs[j].row <= gap_;) {
-                if (runs[j].row < runs[i].row && overlap(runs[i].segment, runs[j].segment)) regions.merge(j, i);
-            }
+/// The runs whose region is large enough and stands on the field. `runs` are horizontal, from top to bottom.
+std::vector<Run> in_good_regions(const std::vector<Run>& runs, const FieldBorder& border, int image_height,
+                                 const CandidateParameters& parameters) {
+    Regions regions(runs.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        for (std::size_t j = i; j-- > 0 && runs[i].row - runs[j].row <= parameters.region_gap;) {
+            if (runs[j].row < runs[i].row && overlap(runs[i].segment, runs[j].segment)) regions.merge(j, i);
         }
-        std::vector<bool> region_stands(runs.size(), false);
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            const Eigen::Vector2d centre = runs[i].segment.centre();
-            if (reaches(centre.x(), centre.y())) region_stands[regions.find(i)] = true;
-        }
-        std::vector<bool> result(runs.size());
-        for (std::size_t i = 0; i < runs.size(); ++i) result[i] = region_stands[regions.find(i)];
-        return result;
     }
 
-    bool reaches(double x, double y) const { return y >= border_.y_at(x) - tolerance_; }
+    struct Region {
+        int rows = 0;
+        int last_row = -1;
+        bool stands = false;
+    };
+    std::vector<Region> found(runs.size());
+    const bool judge_position = parameters.must_reach_border && !border.empty();
+    const double tolerance = parameters.border_tolerance * image_height;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        Region& region = found[regions.find(i)];
+        region.rows += runs[i].row != region.last_row;
+        region.last_row = runs[i].row;
+        const Eigen::Vector2d centre = runs[i].segment.centre();
+        region.stands |= !judge_position || centre.y() >= border.y_at(centre.x()) - tolerance;
+    }
 
-  private:
-    const FieldBorder& border_;
-    double tolerance_;
-    int gap_;
-};
+    std::vector<Run> kept;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const Region& region = found[regions.find(i)];
+        if (region.stands && region.rows >= parameters.least_rows) kept.push_back(runs[i]);
+    }
+    return kept;
+}
 
 }  // namespace
 
@@ -107,21 +115,14 @@ Candidates extract_candidates(const Segments& segments, const FieldBorder& borde
         if (is_row) ++row;
     }
 
-    if (parameters.must_reach_border && !border.empty()) {
-        const PositionRule rule(border, segments.height, parameters);
-        const std::vector<bool> stands = rule.stands(horizontal);
-        std::vector<Run> kept;
-        for (std::size_t i = 0; i < horizontal.size(); ++i) {
-            if (stands[i]) kept.push_back(horizontal[i]);
-        }
-        horizontal = std::move(kept);
-        std::erase_if(vertical, [&](const Run& v) {
-            if (rule.reaches(v.segment.line, v.segment.end)) return false;
-            const auto below = std::lower_bound(horizontal.begin(), horizontal.end(), v.segment.start,
-                                                [](const Run& h, int y) { return h.segment.line < y; });
-            return std::none_of(below, horizontal.end(), [&](const Run& h) { return crosses(v.segment, h.segment); });
-        });
-    }
+    horizontal = in_good_regions(horizontal, border, segments.height, parameters);
+    std::erase_if(vertical, [&](const Run& v) {
+        const auto below = std::lower_bound(horizontal.begin(), horizontal.end(), v.segment.start,
+                                            [](const Run& h, int y) { return h.segment.line < y; });
+        const auto beyond = std::upper_bound(below, horizontal.end(), v.segment.end,
+                                             [](int y, const Run& h) { return y < h.segment.line; });
+        return std::none_of(below, beyond, [&](const Run& h) { return crosses(v.segment, h.segment); });
+    });
 
     Candidates candidates;
     candidates.width = segments.width;

@@ -1,14 +1,15 @@
 #pragma once
 
+#include "core/field/field.h"
+
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "core/field/field.h"
-
 namespace goalmouth {
 
-/// A straight painted line: a rectangle `width` wide about the segment from…to, with square ends. Frame W [m].
+/// A straight painted line: a rectangle `width` wide about the segment from…to, with square ends. Frame W
+/// [m].
 struct Stroke {
     Eigen::Vector2d from;
     Eigen::Vector2d to;
@@ -22,8 +23,8 @@ struct Ring {
     double width = 0.05;
 };
 
-/// What is painted on a field: side lines, goal lines, halfway line, goal areas, centre circle, centre and penalty marks.
-/// Strokes reach to the outer edge of the lines they meet, so that corners are full.
+/// What is painted on a field: side lines, goal lines, halfway line, goal areas, centre circle, centre and
+/// penalty marks. Strokes reach to the outer edge of the lines they meet, so that corners are full.
 struct FieldLayout {
     std::vector<Stroke> strokes;
     std::vector<Ring> rings;

@@ -25,12 +25,13 @@ namespace {
 std::uint8_t majority(const ColourTable& table, std::size_t cb, std::size_t cr, std::size_t y,
                       int finer_bits) {
     const std::size_t side = std::size_t{1} << finer_bits;
-    std::array<int, 256> votes{};
+    std::array<int, colour_count> votes{};
     for (std::size_t i = 0; i < side; ++i) {
         for (std::size_t j = 0; j < side; ++j) {
             const std::size_t start =
                 ((cb * side + i) << (2 * table.bits())) | ((cr * side + j) << table.bits()) | (y * side);
-            for (std::size_t k = 0; k < side; ++k) ++votes[table.entries()[start + k]];
+            for (std::size_t k = 0; k < side; ++k)
+                ++votes[std::min<std::size_t>(table.entries()[start + k], colour_count - 1)];
         }
     }
     return static_cast<std::uint8_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());

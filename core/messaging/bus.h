@@ -9,7 +9,8 @@
 
 namespace goalmouth {
 
-/// What a bus did since it was made. `rejected` holds, for each channel and cause, how many messages were refused.
+/// What a bus did since it was made. `rejected` holds, for each channel and cause, how many messages were
+/// refused.
 struct BusCounters {
     std::int64_t received = 0;    // messages handed to handlers or refused
     std::int64_t published = 0;   // messages sent
@@ -25,11 +26,11 @@ enum class Delivery {
     newest,  // the last one only, once nothing else waits; the others are counted as superseded
 };
 
-/// Messages between modules: bytes on named channels. Three kinds exist: LcmBus (any LCM URL), MemoryBus (one process,
-/// deterministic) and LogBus (an LCM log file). A module holds a Bus and never knows which.
+/// Messages between modules: bytes on named channels. Three kinds exist: LcmBus (any LCM URL), MemoryBus (one
+/// process, deterministic) and LogBus (an LCM log file). A module holds a Bus and never knows which.
 ///
-/// One thread: subscribe first, then dispatch from the thread that made the bus. Handlers run inside dispatch and may
-/// publish. A subscription lasts as long as the bus.
+/// One thread: subscribe first, then dispatch from the thread that made the bus. Handlers run inside dispatch
+/// and may publish. A subscription lasts as long as the bus.
 ///
 /// Most code uses the typed functions of typed.h, which encode, decode and validate.
 class Bus {
@@ -41,16 +42,21 @@ class Bus {
     Bus& operator=(const Bus&) = delete;
     virtual ~Bus() = default;
 
-    /// Sends one message. Throws std::runtime_error where the transport refuses it for good (a full disk under a log);
-    /// a message the network loses is lost silently: carry a seq.
+    /// Sends one message. Throws std::runtime_error where the transport refuses it for good (a full disk
+    /// under a log); a message the network loses is lost silently: carry a seq.
     virtual void publish(const std::string& channel, std::span<const std::uint8_t> message) = 0;
 
     /// `channel` is the exact name.
     virtual void subscribe(const std::string& channel, Delivery delivery, Handler handler) = 0;
 
-    /// Waits up to `timeout` for a message, then delivers all that wait: `every` handlers in order of arrival, then the `newest`
-    /// ones. Returns early, without delivering, when a signal interrupts the wait. True if anything was delivered.
+    /// Waits up to `timeout` for a message, then delivers all that wait: `every` handlers in order of
+    /// arrival, then the `newest` ones. Returns early, without delivering, when a signal interrupts the wait.
+    /// True if anything was delivered.
     virtual bool dispatch(std::chrono::milliseconds timeout) = 0;
+
+    /// How full the fullest receive buffer is that hears this bus, 0…1: who sends much can wait for listeners
+    /// that are behind. 0 where it is not known.
+    virtual double congestion() const { return 0.0; }
 
     const BusCounters& counters() const { return counters_; }
 

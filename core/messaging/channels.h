@@ -3,9 +3,10 @@
 // Default names of the channels; a graph file may rename them for each process.
 namespace goalmouth::channels {
 
-inline constexpr const char* image = "IMAGE";              // image_t, descriptor
-inline constexpr const char* image_tap = "IMAGE_TAP";      // image_t, self-contained, where it fits a datagram
-inline constexpr const char* image_slices = "IMAGE_SLICES";  // image_slice_t, a self-contained image_t in pieces
+inline constexpr const char* image = "IMAGE";          // image_t, descriptor
+inline constexpr const char* image_tap = "IMAGE_TAP";  // image_t, self-contained, where it fits a datagram
+inline constexpr const char* image_slices =
+    "IMAGE_SLICES";  // image_slice_t, a self-contained image_t in pieces
 inline constexpr const char* camera_info = "CAMERA_INFO";  // camera_info_t
 inline constexpr const char* segments = "SEGMENTS";        // segments_t
 inline constexpr const char* border = "BORDER";            // border_t

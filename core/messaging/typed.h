@@ -1,19 +1,19 @@
 #pragma once
 
+#include "core/messaging/bus.h"
+#include "core/messaging/encoded_form.h"
+#include "core/messaging/validation.h"
+
 #include <exception>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/messaging/bus.h"
-#include "core/messaging/encoded_form.h"
-#include "core/messaging/validation.h"
-
 namespace goalmouth {
 
-/// Encodes and sends. A message that validation.h refuses is not sent but counted as rejected: every receiver would refuse it,
-/// and generated encoders read beyond arrays that are shorter than their size field says.
+/// Encodes and sends. A message that validation.h refuses is not sent but counted as rejected: every receiver
+/// would refuse it, and generated encoders read beyond arrays that are shorter than their size field says.
 template <class Message>
 void publish(Bus& bus, const std::string& channel, const Message& message) {
     if (const auto cause = problem(message)) {
@@ -38,18 +38,21 @@ bool has_hash(std::span<const std::uint8_t> bytes) {
 /// Decodes bytes into a message, or says why they are none. Generated decoders may throw on absurd lengths.
 template <class Message>
 std::optional<std::string> decode(std::span<const std::uint8_t> bytes, Message& message) {
-    if (!has_hash<Message>(bytes)) return std::string("not a ") + Message::getTypeName();
-    if (!lengths_add_up(message, bytes)) return std::string("impossible sizes in a ") + Message::getTypeName();
+    if (!has_hash<Message>(bytes)) return std::string("not of type ") + Message::getTypeName();
+    if (!lengths_add_up(message, bytes))
+        return std::string("impossible sizes in type ") + Message::getTypeName();
     try {
         const int size = static_cast<int>(bytes.size());
-        if (message.decode(bytes.data(), 0, size) != size) return std::string("impossible sizes in a ") + Message::getTypeName();
+        if (message.decode(bytes.data(), 0, size) != size)
+            return std::string("impossible sizes in type ") + Message::getTypeName();
     } catch (const std::exception&) {
-        return std::string("impossible sizes in a ") + Message::getTypeName();
+        return std::string("impossible sizes in type ") + Message::getTypeName();
     }
     return problem(message);
 }
 
-/// Calls `handler(const Message&)` for each message that decodes and passes validation.h; the rest is counted and skipped.
+/// Calls `handler(const Message&)` for each message that decodes and passes validation.h; the rest is counted
+/// and skipped.
 template <class Message, class F>
 void subscribe(Bus& bus, const std::string& channel, F handler, Delivery delivery = Delivery::every) {
     bus.subscribe(channel, delivery,

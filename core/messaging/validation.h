@@ -20,9 +20,9 @@
 
 namespace goalmouth {
 
-/// What is wrong with a decoded message, in a few words without numbers of the message in it (causes are counted by their
-/// text); nothing where it may be used. Checked: sizes agree with arrays, every number finite, every quantity in the range its
-/// .lcm file states.
+/// What is wrong with a decoded message, in a few words without numbers of the message in it (causes are
+/// counted by their text); nothing where it may be used. Checked: sizes agree with arrays, every number
+/// finite, every quantity in the range its .lcm file states.
 std::optional<std::string> problem(const intrinsics_t& m);
 std::optional<std::string> problem(const camera_info_t& m);
 std::optional<std::string> problem(const image_t& m);

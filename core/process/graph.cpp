@@ -193,7 +193,8 @@ fs::path find_graph(const std::string& file_or_name) {
 }
 
 Graph load_graph(const std::string& file_or_name, const GraphOptions& options) {
-    GraphFile file = read_graph_file(find_graph(file_or_name));
+    const fs::path path = find_graph(file_or_name);
+    GraphFile file = read_graph_file(path);
     apply_tap(file, options.tap);
     for (const auto& setting : options.settings) apply_setting(file, setting);
     std::erase_if(file.processes, [](const ProcessEntry& entry) { return !entry.enabled.value_or(true); });
@@ -213,6 +214,9 @@ Graph load_graph(const std::string& file_or_name, const GraphOptions& options) {
                                  "and 'executable'");
     }
     for (const auto& entry : file.processes) graph.processes.push_back(resolve(entry, file.common, options));
+    // What a graph that is extended has in common need not all be of use here.
+    std::erase_if(file.common,
+                  [&](const GraphSetting& setting) { return setting.place.file != path.string(); });
     check_parameters(graph, file.common);
     check_channels(graph, file.external);
     return graph;

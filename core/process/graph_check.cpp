@@ -1,6 +1,7 @@
 #include "core/process/graph_check.h"
 
 #include "core/messaging/channels.h"
+#include "core/process/graph_value.h"
 #include "core/process/text.h"
 
 #include <algorithm>
@@ -20,6 +21,21 @@ std::vector<std::string> parameter_keys(const ProgramDescription& description) {
     std::vector<std::string> keys;
     for (const auto& parameter : description.parameters) keys.push_back(parameter.key);
     return keys;
+}
+
+/// The program must know the parameter, and the value be one that it takes.
+void check_setting(const GraphProcess& process, const GraphSetting& setting,
+                   const std::vector<std::string>& keys) {
+    const std::string where = setting.place.text() + ": " + process.name + ": ";
+    const auto known = std::find(keys.begin(), keys.end(), setting.key);
+    if (known == keys.end()) {
+        throw ConfigurationError(where + "unknown parameter '" + setting.key + "' of " + process.executable +
+                                 "; " + suggestion(setting.key, keys));
+    }
+    const auto& parameter = process.description.parameters[static_cast<std::size_t>(known - keys.begin())];
+    if (!value_is_valid(setting.value, parameter.valid)) {
+        throw ConfigurationError(where + setting.key + ": '" + setting.value + "' is not " + parameter.valid);
+    }
 }
 
 std::optional<int> number(std::string_view text) {
@@ -94,12 +110,7 @@ void check_parameters(const Graph& graph, const std::vector<GraphSetting>& commo
         if (!process.described) continue;
         const auto keys = parameter_keys(process.description);
         all.insert(keys.begin(), keys.end());
-        for (const auto& setting : process.settings) {
-            if (std::find(keys.begin(), keys.end(), setting.key) != keys.end()) continue;
-            throw ConfigurationError(setting.place.text() + ": " + process.name + ": unknown parameter '" +
-                                     setting.key + "' of " + process.executable + "; " +
-                                     suggestion(setting.key, keys));
-        }
+        for (const auto& setting : process.settings) check_setting(process, setting, keys);
     }
     for (const auto& setting : common) {
         if (all.contains(setting.key)) continue;

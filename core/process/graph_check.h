@@ -11,8 +11,8 @@ namespace goalmouth {
 /// readers expect. Throws ConfigurationError for the first that does not.
 void check_channels(const Graph& graph, const std::vector<PlacedText>& external);
 
-/// Throws ConfigurationError for a `common` value that no process takes, or a setting of a process that its
-/// program does not know.
+/// Throws ConfigurationError for a `common` value that no process takes, and for a setting of a process that
+/// its program does not know or whose value it does not take.
 void check_parameters(const Graph& graph, const std::vector<GraphSetting>& common);
 
 /// Throws ConfigurationError where processes cannot talk over `url`; `where` says where it was written.

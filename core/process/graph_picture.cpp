@@ -113,8 +113,8 @@ std::string graph_as_dot(const Graph& graph) {
     std::map<std::string, std::string> source;  // channel → node
     for (const auto& process : graph.processes) {
         const bool same = process.name == process.executable;
-        out << "  " << dot_text(process.name) << " [label=" << dot_text(process.name)
-            << (same ? "" : ", xlabel=" + dot_text(process.executable))
+        const std::string label = process.name + (same ? "" : "\n" + process.executable);
+        out << "  " << dot_text(process.name) << " [label=" << dot_text(label)
             << ", tooltip=" << dot_text(process.description.info.summary) << "];\n";
         for (const auto& channel : names(process, process.description.info.publishes))
             source[channel] = process.name;

@@ -16,6 +16,7 @@ void add_detect_verb(CLI::App& app, Action& action);
 void add_graph_verb(CLI::App& app, Action& action);
 void add_launch_verb(CLI::App& app, Action& action);
 void add_demo_verb(CLI::App& app, Action& action);
+void add_spy_verb(CLI::App& app, Action& action);
 void add_completion_verb(CLI::App& app, Action& action);
 
 }  // namespace goalmouth

@@ -17,8 +17,15 @@ EdgeLine edge(const Eigen::Vector2d& upper, const Eigen::Vector2d& lower, int su
     return {{*line_through(upper, lower), upper, lower}, support, 0.3};
 }
 
+Candidates frame() {
+    Candidates candidates;
+    candidates.width = width;
+    candidates.height = height;
+    return candidates;
+}
+
 std::size_t pairs(const EdgeLine& left, const EdgeLine& right, const PairingParameters& parameters = {}) {
-    return pair_edges({left}, {right}, width, height, gamma_times_diameter, parameters).size();
+    return pair_edges({left}, {right}, frame(), gamma_times_diameter, parameters).size();
 }
 
 PairMeasures measures(const EdgeLine& left, const EdgeLine& right) { return compare_edges(left, right, width, height, 0.2); }
@@ -116,14 +123,45 @@ TEST(Pairing, WithoutPermissivenessTakesNothing) {
 TEST(Pairing, UsesEachLineOnceAndPrefersTheMostAlike) {
     const std::vector<EdgeLine> left{edge({300, 100}, {300, 300}), edge({500, 100}, {500, 300})};
     const std::vector<EdgeLine> right{edge({325, 110}, {325, 300}), edge({520, 100}, {520, 300}), edge({320, 100}, {320, 300})};
-    const auto found = pair_edges(left, right, width, height, gamma_times_diameter, {});
+    const auto found = pair_edges(left, right, frame(), gamma_times_diameter, {});
     ASSERT_EQ(found.size(), 2U);
     for (const auto& [l, r] : found) EXPECT_EQ(r, l == 0 ? 2U : 1U);
 }
 
+TEST(Pairing, ComparesAnEdgeThatTheImageCutsOverTheRowsItShares) {
+    // The post leaves the image at the left: its left edge ends at x = 0, half-way up.
+    const EdgeLine cut = edge({0.5, 200}, {30, 300}, 25);
+    const EdgeLine whole = edge({-59 + 86, 100}, {60, 300}, 50);
+    PairingParameters parameters;
+    EXPECT_EQ(pairs(cut, whole, parameters), 0U);
+    parameters.cut_margin = 6.0;
+    EXPECT_EQ(pairs(cut, whole, parameters), 1U);
+    // Inside the image the same two are no post.
+    const EdgeLine inner = edge({100.5, 200}, {130, 300}, 25);
+    const EdgeLine inner_whole = edge({127, 100}, {160, 300}, 50);
+    EXPECT_EQ(pairs(inner, inner_whole, parameters), 0U);
+}
+
+TEST(Pairing, RejectsPostsWithALongHoleWhereTold) {
+    const EdgeLine right = edge({320, 100}, {320, 300});
+    Candidates candidates = frame();
+    for (int y = 100; y <= 300; y += 4) {
+        if (y < 150 || y > 230) candidates.segments.push_back({Orientation::horizontal, y, 300, 319});
+    }
+    EXPECT_NEAR(largest_hole(left_edge.segment, right.segment, candidates), (232.0 - 148.0) / 200.0, 1e-9);
+    PairingParameters parameters;
+    const auto accepted = [&] { return pair_edges({left_edge}, {right}, candidates, gamma_times_diameter, parameters).size(); };
+    EXPECT_EQ(accepted(), 1U);
+    parameters.largest_hole = 0.43;
+    EXPECT_EQ(accepted(), 1U);
+    parameters.largest_hole = 0.41;
+    EXPECT_EQ(accepted(), 0U);
+    EXPECT_NEAR(largest_hole(left_edge.segment, right.segment, frame()), 1.0, 1e-12);
+}
+
 TEST(Pairing, OfNoLinesIsNothing) {
-    EXPECT_TRUE(pair_edges({}, {left_edge}, width, height, gamma_times_diameter, {}).empty());
-    EXPECT_TRUE(pair_edges({left_edge}, {}, width, height, gamma_times_diameter, {}).empty());
+    EXPECT_TRUE(pair_edges({}, {left_edge}, frame(), gamma_times_diameter, {}).empty());
+    EXPECT_TRUE(pair_edges({left_edge}, {}, frame(), gamma_times_diameter, {}).empty());
 }
 
 TEST(WidthAcross, IsTheSameForEveryLean) {

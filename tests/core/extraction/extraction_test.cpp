@@ -77,6 +77,17 @@ TEST(Extraction, RejectsWhatDoesNotReachTheField) {
     EXPECT_GT(extract(segments, parameters).left_edges.size(), 15U);
 }
 
+TEST(Extraction, RejectsRegionsOfFewRows) {
+    const auto with_speck = [](int x, int y) { return in(x, 80, 89) && in(y, 70, 84) ? Colour::goal : scene(x, y); };
+    const Segments segments = segments_of(120, 100, with_speck);  // four rows
+    EXPECT_EQ(extract(segments).left_edges.size(), 15U);
+    CandidateParameters parameters;
+    parameters.least_rows = 4;
+    EXPECT_EQ(extract(segments, parameters).left_edges.size(), 19U);
+    parameters.least_rows = 16;
+    EXPECT_TRUE(extract(segments, parameters).segments.empty());
+}
+
 TEST(Extraction, KeepsACrossbarThatHangsOnAPost) {
     const auto goal = [](int x, int y) { return in(x, 40, 109) && in(y, 12, 19) ? Colour::goal : scene(x, y); };
     const Candidates found = extract(segments_of(120, 100, goal));
@@ -96,6 +107,8 @@ TEST(Extraction, BridgesGapsAndSkippedRows) {
     for (const auto& p : found.right_edges) EXPECT_NEAR(p.x(), 49.5, 1e-6);
     CandidateParameters parameters;
     parameters.largest_gap = 1;
+    EXPECT_EQ(extract(segments_of(120, 100, holed), parameters).left_edges.size(), 13U);  // 2 px of 8: gap_share
+    parameters.gap_share = 0.2;
     EXPECT_EQ(extract(segments_of(120, 100, holed), parameters).left_edges.size(), 26U);
 }
 

@@ -65,7 +65,7 @@ TEST(Camera, ScalingKeepsRays) {
     const Intrinsics large = scaled_to(camera, 1600, 1200);
     EXPECT_EQ(large.width, 1600);
     EXPECT_EQ(large.height, 1200);
-    for (const Eigen::Vector2d p :
+    for (const Eigen::Vector2d& p :
          {Eigen::Vector2d(0, 0), Eigen::Vector2d(100.25, 300), Eigen::Vector2d(639, 479)}) {
         const Eigen::Vector2d scaled((p.x() + 0.5) * 2.5 - 0.5, (p.y() + 0.5) * 2.5 - 0.5);
         EXPECT_LT((normalised_from_pixel(camera, p) - normalised_from_pixel(large, scaled)).norm(), 1e-10);

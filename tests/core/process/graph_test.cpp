@@ -1,6 +1,7 @@
 #include "core/process/graph.h"
 
 #include "core/process/graph_program.h"
+#include "core/process/graph_value.h"
 #include "tests/support/data.h"
 
 #include <cstdlib>
@@ -194,6 +195,16 @@ TEST_F(GraphFileTest, ExtendingReplacesProcessesByName) {
     EXPECT_EQ(graph.processes[3].name, "extra");
 }
 
+TEST_F(GraphFileTest, InheritedCommonValuesNeedNotBeOfUse) {
+    write("base.yaml", good_graph);
+    const std::string processes =
+        "processes: [{name: camera, enabled: false}, {name: localisation, enabled: false}]\n";
+    const Graph graph = load_text("extends: base.yaml\nexternal: [IMAGE]\n" + processes);
+    EXPECT_EQ(graph.processes.size(), 1U);
+    EXPECT_THAT(error_of("extends: base.yaml\nexternal: [IMAGE]\ncommon: {field: f.yaml}\n" + processes),
+                HasSubstr("graph.yaml:3: common: no process has a parameter 'field'"));
+}
+
 TEST_F(GraphFileTest, AnotherExecutableKeepsNoParametersOfTheFormerOne) {
     write("base.yaml", good_graph);
     const Graph graph = load_text("extends: base.yaml\nprocesses: [{name: camera, executable: source}]\n");
@@ -235,6 +246,10 @@ struct Mistake {
     std::string new_text;
     std::vector<std::string> said;
 };
+
+void PrintTo(const Mistake& mistake, std::ostream* out) {
+    *out << mistake.name;
+}
 
 class GraphMistake : public GraphFileTest, public testing::WithParamInterface<Mistake> {};
 
@@ -379,6 +394,14 @@ INSTANTIATE_TEST_SUITE_P(
                 "frames_per_secnd: 15",
                 {"graph.yaml:8: camera: unknown parameter 'frames_per_secnd' of source",
                  "did you mean 'frames_per_second'"}},
+        Mistake{"ParameterValue",
+                "frames_per_second: 15",
+                "frames_per_second: fast",
+                {"graph.yaml:8: camera: frames_per_second: 'fast' is not a number"}},
+        Mistake{"CommonValue",
+                "field: fields/small.yaml",
+                "field: [a, b]",
+                {"graph.yaml:4: camera: field: '[a, b]' is not the name of a file"}},
         Mistake{"ParameterUnknownNested",
                 "walk: {speed",
                 "walk: {sped",
@@ -431,6 +454,51 @@ INSTANTIATE_TEST_SUITE_P(
                 {"graph.yaml:11: localisation: subscribes POSTS as pose_t, but detection (graph.yaml:9) "
                  "publishes posts_t"}}),
     [](const auto& mistake) { return std::string(mistake.param.name); });
+
+TEST(GraphValue, IsJudgedByTheProgramsRule) {
+    EXPECT_TRUE(value_is_valid("3.5", "a number in 0…5"));
+    EXPECT_FALSE(value_is_valid("5.5", "a number in 0…5"));
+    EXPECT_FALSE(value_is_valid("fast", "a number"));
+    EXPECT_FALSE(value_is_valid(".nan", "a number"));
+    EXPECT_FALSE(value_is_valid("[1]", "a number"));
+    EXPECT_TRUE(value_is_valid("-1e3", "a number of at most 0"));
+    EXPECT_FALSE(value_is_valid("-1e3", "a number of at least -10"));
+    EXPECT_TRUE(value_is_valid("7", "a whole number in 1…100000"));
+    EXPECT_FALSE(value_is_valid("7.5", "a whole number in 1…100000"));
+    EXPECT_TRUE(value_is_valid("[1, 2.5]", "a list of numbers in 0…3"));
+    EXPECT_FALSE(value_is_valid("[1, 4]", "a list of numbers in 0…3"));
+    EXPECT_FALSE(value_is_valid("1", "a list of numbers"));
+    EXPECT_TRUE(value_is_valid("true", "true or false"));
+    EXPECT_FALSE(value_is_valid("perhaps", "true or false"));
+    EXPECT_TRUE(value_is_valid("jpeg", "one of: raw, jpeg"));
+    EXPECT_FALSE(value_is_valid("jpe", "one of: raw, jpeg"));
+    EXPECT_TRUE(value_is_valid("\"\"", "the name of a file"));
+    EXPECT_FALSE(value_is_valid("[a]", "a text"));
+    EXPECT_FALSE(value_is_valid("[1", "a text"));
+    EXPECT_TRUE(value_is_valid("whatever", "a colour somebody else's program knows"));
+}
+
+TEST(GraphValue, DefaultsOfOurOwnParametersHold) {
+    ParameterLister lister;
+    double number = 0.25;
+    int whole = 3;
+    bool flag = true;
+    std::string word = "raw";
+    std::vector<double> list = {1, 2};
+    lister("a", number, above(0), "m", "");
+    lister("b", whole, Range{1, 5}, "1", "");
+    lister("c", flag, "");
+    lister("d", word, Choice{"raw", "jpeg"}, "");
+    lister("e", list, at_least(0), "m", "");
+    lister("f", word, File{}, "");
+    lister("g", word, Text{}, "");
+    for (const auto& parameter : lister.parameters) {
+        EXPECT_TRUE(value_is_valid(parameter.value, parameter.valid))
+            << parameter.value << " is not " << parameter.valid;
+        const std::string wrong = parameter.key == "f" || parameter.key == "g" ? "[]" : "-7";
+        EXPECT_FALSE(value_is_valid(wrong, parameter.valid)) << wrong << " is " << parameter.valid;
+    }
+}
 
 TEST_F(GraphFileTest, CirclesOfThreeFilesAreFound) {
     write("a.yaml", "extends: b.yaml\n");

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/imaging/colour_table.h"
+#include "core/imaging/yuyv.h"
+
+#include <span>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+// Training labels for a set of pictures of one pitch in which a person marked nothing but the goalposts.
+namespace goalmouth {
+
+/// The straight outline of a goalpost in an image [px]: its two side edges from the ground to the top.
+struct PostOutline {
+    cv::Point2d base_left, base_right, top_right, top_left;
+    double width() const;
+};
+
+/// A picture with all its posts marked; in `ignore` nothing is known.
+struct LabelledScene {
+    YuyvImage image;
+    std::vector<PostOutline> posts;
+    std::vector<cv::Rect> ignore;
+};
+
+/// Region of the chroma plane that a surface of one colour fills, as a map of 64×64 cells, [Cb / 4][Cr / 4].
+struct ChromaRegion {
+    cv::Mat cells;      // CV_8UC1, 255 inside
+    double cb = 128.0;  // its mode
+    double cr = 128.0;
+    bool holds(Ycbcr p) const { return cells.at<std::uint8_t>(p.cb >> 2, p.cr >> 2) != 0; }
+};
+
+/// The carpet's colour: the mode of green (hue 180…290°) among pixels under the posts' bases, or in the lower
+/// half where no post is in the picture, and all chroma around it that is at least 2 % as frequent. Throws
+/// std::invalid_argument where there is no green at all.
+ChromaRegion find_field_colour(std::span<const LabelledScene> scenes);
+
+/// The posts' colour in the same manner, from the pixels inside their outlines. Throws std::invalid_argument
+/// without a post.
+ChromaRegion find_goal_colour(std::span<const LabelledScene> scenes);
+
+/// Labels of one scene, CV_8UC1: class numbers, or ColourTrainer::no_label. Goal: inside the outlines, a
+/// sixth of the width (and 1.5 px) away from each edge. Field: field-coloured below the upper rim of the
+/// large field-coloured area. Line: there, brighter than the field around and with little chroma. Ball:
+/// there, orange blobs. Unclassified: everything above that rim but posts and what is joined to them in their
+/// colour (crossbar, stanchions). The rest, and pixels at borders between these, teach nothing.
+cv::Mat label_scene(const LabelledScene& scene, const ChromaRegion& field, const ChromaRegion& goal);
+
+/// How a table does on one scene.
+struct GoalColourScore {
+    std::int64_t inside = 0;       // pixels inside the (eroded) outlines
+    std::int64_t inside_goal = 0;  // of these, classified as goal
+    std::int64_t elsewhere = 0;    // pixels away from any post; the band of the crossbar counts as neither
+    std::int64_t elsewhere_goal = 0;
+    GoalColourScore& operator+=(const GoalColourScore& other);
+};
+GoalColourScore score_goal_colour(const LabelledScene& scene, const ColourTable& table);
+
+}  // namespace goalmouth

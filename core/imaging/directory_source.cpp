@@ -1,0 +1,63 @@
+#include "core/imaging/directory_source.h"
+
+#include "core/imaging/file_error.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace goalmouth {
+
+DirectorySource::DirectorySource(const std::filesystem::path& path, std::optional<ImageSize> raw_size,
+                                 bool loop, SourceLog log)
+    : raw_size_(raw_size), loop_(loop), log_(std::move(log)) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(path, error)) {
+        files_.push_back(path);
+        return;
+    }
+    if (!std::filesystem::is_directory(path, error))
+        throw FileError(path.string() + ": no such folder or image");
+    std::filesystem::directory_iterator entries(path, error);
+    if (error) throw FileError(path.string() + ": cannot be listed: " + error.message());
+    std::size_t others = 0;
+    for (const auto& entry : entries) {
+        if (is_image_name(entry.path()) && !entry.is_directory(error)) {
+            files_.push_back(entry.path());
+        } else {
+            ++others;
+        }
+    }
+    if (files_.empty()) {
+        throw FileError(path.string() + ": holds no image (" + std::to_string(others) +
+                        " other entries; images are named .png, .jpg, .jpeg, .ppm, .pgm, .bmp or .yuyv)");
+    }
+    std::sort(files_.begin(), files_.end());
+}
+
+ImageSource::Outcome DirectorySource::next(Captured& frame, std::chrono::milliseconds) {
+    for (;;) {
+        if (at_ == files_.size()) {
+            if (!loop_ || !any_this_round_) return Outcome::ended;
+            at_ = 0;
+            any_this_round_ = false;
+        }
+        const std::filesystem::path& file = files_[at_++];
+        try {
+            image_ = read_image(file, is_raw_image_name(file) ? raw_size_ : std::nullopt);
+        } catch (const FileError& error) {
+            ++counters_.unreadable;
+            if (reported_.insert(file).second && log_) log_(std::string("skipped: ") + error.what());
+            continue;
+        }
+        any_this_round_ = true;
+        file_ = file;
+        frame = {};
+        frame.width = image_.width;
+        frame.height = image_.height;
+        frame.stride = image_.stride();
+        frame.bytes = image_.data;
+        return Outcome::captured;
+    }
+}
+
+}  // namespace goalmouth

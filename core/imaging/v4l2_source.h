@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/imaging/source.h"
+#include "core/imaging/v4l2_device.h"
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+namespace goalmouth {
+
+struct V4l2Settings {
+    std::string device = "/dev/video0";
+    PixelFormat format = PixelFormat::yuyv;  // jpeg: MJPG, or the JPEG some drivers call it
+    int width = 640;                         // px
+    int height = 480;                        // px
+    double frames_per_second = 30.0;         // 0: as the device is set
+    int buffers = 4;                         // mapped from the driver
+};
+
+/// A camera behind Video4Linux 2: progressive frames, memory-mapped streaming.
+///
+/// Frames the driver marks damaged, or that are too short, are counted and skipped; gaps in its numbering are
+/// counted as lost. A camera that goes away (unplugged) is reported and opened again when it is back, asked
+/// after 0.25 s, then ever more rarely up to 4 s. Capture time is the driver's monotonic stamp, moved to UTC.
+/// Bytes are passed on as they come: a camera that delivers limited range (Y 16…235) needs a colour table
+/// made from its own pictures, as any camera does.
+class V4l2Source : public ImageSource {
+  public:
+    /// Throws FileError where the device does not offer what is asked for, with the list of what it does;
+    /// std::runtime_error where it cannot be opened or is in use.
+    V4l2Source(const V4l2Settings& settings, SourceLog log);
+
+    /// Waits at most `timeout`; early after a signal.
+    Outcome next(Captured& frame, std::chrono::milliseconds timeout) override;
+    double frames_per_second() const override { return rate_; }
+    bool live() const override { return true; }
+
+    /// Whether frames are being delivered now (false while unplugged).
+    bool connected() const { return device_.is_open(); }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void start();
+    void gone(const std::string& why);
+    bool try_again(std::chrono::milliseconds timeout);
+    bool take(Captured& frame);
+    std::int64_t lost_before(std::uint32_t sequence);
+
+    V4l2Settings settings_;
+    SourceLog log_;
+    V4l2Device device_;
+    int stride_ = 0;
+    double rate_ = 0.0;
+    std::optional<std::uint32_t> held_;           // buffer the last frame still lies in
+    std::optional<std::uint32_t> last_sequence_;  // none right after a start
+    std::int64_t lost_since_frame_ = 0;
+    Clock::time_point next_try_{};
+    std::chrono::milliseconds back_off_{0};
+    std::string last_failure_;
+};
+
+}  // namespace goalmouth

@@ -1,0 +1,129 @@
+#include "core/messaging/image_output.h"
+
+#include "core/imaging/jpeg.h"
+#include "core/messaging/typed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace goalmouth {
+namespace {
+
+image_t message_of(const FrameInfo& info, const std::string& camera) {
+    image_t m{};
+    m.utime = info.utime;
+    m.seq = info.seq;
+    m.camera = camera;
+    m.intrinsics = info.intrinsics;
+    m.width = info.intrinsics.width;
+    m.height = info.intrinsics.height;
+    m.exposure_us = info.exposure_us;
+    m.readout_us = info.readout_us;
+    m.slot = -1;
+    m.generation = -1;
+    return m;
+}
+
+void check_size(const FrameInfo& info, const YuyvView& pixels) {
+    if (pixels.empty() || pixels.width != info.intrinsics.width || pixels.height != info.intrinsics.height) {
+        throw std::invalid_argument("a frame of another size than its calibration");
+    }
+}
+
+void copy_rows(const YuyvView& pixels, std::span<std::uint8_t> to) {
+    const int row_bytes = yuyv_row_bytes(pixels.width);
+    if (pixels.stride == row_bytes) {
+        std::copy_n(pixels.data, to.size(), to.begin());
+        return;
+    }
+    for (int y = 0; y < pixels.height; ++y) {
+        std::copy_n(pixels.row(y), row_bytes, to.begin() + static_cast<std::ptrdiff_t>(y) * row_bytes);
+    }
+}
+
+/// The quality at which a JPEG that is `excess` times too large should fit. Quality scales libjpeg's
+/// quantisation steps by s; size goes about as s^-0.9, so one or two guesses do where a search would compress
+/// seven times.
+int lower_quality(int quality, double excess) {
+    const double steps = quality >= 50 ? std::max(2.0 - 0.02 * quality, 0.05) : 50.0 / quality;
+    const double wanted = steps * std::pow(1.03 * excess, 1.1);
+    const double lower = wanted <= 1.0 ? 100.0 - 50.0 * wanted : 50.0 / wanted;
+    return std::clamp(static_cast<int>(lower), 1, quality - 1);
+}
+
+std::size_t packed_bytes(const YuyvView& pixels) {
+    return static_cast<std::size_t>(yuyv_row_bytes(pixels.width)) * static_cast<std::size_t>(pixels.height);
+}
+
+}  // namespace
+
+ImageOutput::ImageOutput(Bus& bus, std::string channel, std::string camera, int slots)
+    : bus_(bus), channel_(std::move(channel)), camera_(std::move(camera)), slots_(slots) {}
+
+std::span<std::uint8_t> ImageOutput::begin(std::size_t bytes) {
+    if (!ring_ || ring_->slot_bytes() < bytes) {
+        ring_.reset();
+        ring_ = std::make_unique<FrameRing>(camera_, slots_, bytes);
+    }
+    return ring_->begin_write(bytes);
+}
+
+void ImageOutput::announce(const FrameInfo& info, const char* encoding, int row_stride, std::size_t bytes) {
+    if (!ring_) throw std::logic_error("a frame announced without begin()");
+    const RingPlace place = ring_->finish_write();
+    image_t m = message_of(info, camera_);
+    m.encoding = encoding;
+    m.row_stride = row_stride;
+    m.ring = ring_->name();
+    m.slot = place.slot;
+    m.generation = place.generation;
+    m.size = static_cast<std::int32_t>(bytes);
+    goalmouth::publish(bus_, channel_, m);
+}
+
+void ImageOutput::publish_yuyv(const FrameInfo& info, int row_stride) {
+    announce(info, "yuyv", row_stride,
+             static_cast<std::size_t>(row_stride) * static_cast<std::size_t>(info.intrinsics.height));
+}
+
+void ImageOutput::publish_jpeg(const FrameInfo& info, std::size_t jpeg_bytes) {
+    announce(info, "jpeg", 0, jpeg_bytes);
+}
+
+void ImageOutput::publish(const FrameInfo& info, const YuyvView& pixels) {
+    check_size(info, pixels);
+    copy_rows(pixels, begin(packed_bytes(pixels)));
+    publish_yuyv(info, yuyv_row_bytes(pixels.width));
+}
+
+image_t self_contained_yuyv(const FrameInfo& info, const std::string& camera, const YuyvView& pixels) {
+    check_size(info, pixels);
+    image_t m = message_of(info, camera);
+    m.encoding = "yuyv";
+    m.row_stride = yuyv_row_bytes(pixels.width);
+    m.data.resize(packed_bytes(pixels));
+    copy_rows(pixels, m.data);
+    m.size = m.data_size = static_cast<std::int32_t>(m.data.size());
+    return m;
+}
+
+image_t self_contained_jpeg(const FrameInfo& info, const std::string& camera, const YuyvView& pixels,
+                            int quality, std::size_t most_bytes) {
+    check_size(info, pixels);
+    image_t m = message_of(info, camera);
+    m.encoding = "jpeg";
+    const auto size_at = [&](int q) {
+        m.data = jpeg_from_yuyv(pixels, q);
+        m.size = m.data_size = static_cast<std::int32_t>(m.data.size());
+        return static_cast<std::size_t>(m.getEncodedSize());
+    };
+    quality = std::clamp(quality, 1, 100);
+    for (std::size_t size = size_at(quality); size > most_bytes && quality > 1; size = size_at(quality)) {
+        quality = lower_quality(quality, static_cast<double>(size) / static_cast<double>(most_bytes));
+    }
+    return m;
+}
+
+}  // namespace goalmouth

@@ -1,0 +1,156 @@
+#include "core/messaging/lcm_bus.h"
+
+#include "core/messaging/multicast.h"
+
+#include <algorithm>
+#include <cctype>
+#include <poll.h>
+#include <signal.h>
+#include <stdexcept>
+
+#include <lcm/lcm-cpp.hpp>
+#include <spdlog/spdlog.h>
+
+namespace goalmouth {
+namespace {
+
+constexpr int queue_capacity = 1000;  // messages of one subscription; a raw 640×480 frame is about 20 slices
+constexpr int messages_per_dispatch = 1000;
+constexpr std::chrono::milliseconds time_per_dispatch{50};
+
+/// LCM starts threads of its own; a signal must interrupt the thread that dispatches, so theirs are started
+/// with all blocked.
+class SignalsBlocked {
+  public:
+    SignalsBlocked() {
+        sigset_t all;
+        sigfillset(&all);
+        pthread_sigmask(SIG_SETMASK, &all, &before_);
+    }
+    ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsBlocked(const SignalsBlocked&) = delete;
+    SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+
+  private:
+    sigset_t before_{};
+};
+
+void check_name(const std::string& channel) {
+    if (channel.empty() || channel.size() > LCM_MAX_CHANNEL_NAME_LENGTH) {
+        throw std::invalid_argument("channel name \"" + channel + "\": an LCM channel name has 1 to " +
+                                    std::to_string(LCM_MAX_CHANNEL_NAME_LENGTH) + " characters");
+    }
+}
+
+/// LCM takes an anchored regular expression where we mean a name.
+std::string as_expression(const std::string& name) {
+    std::string expression;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x80 && std::isalnum(byte) == 0 && c != '_') expression += '\\';
+        expression += c;
+    }
+    return expression;
+}
+
+}  // namespace
+
+struct LcmBus::Receiver {
+    static void receive(const lcm::ReceiveBuffer* buffer, const std::string&, Subscription* subscription) {
+        LcmBus& bus = *subscription->bus;
+        const auto* bytes = static_cast<const std::uint8_t*>(buffer->data);
+        subscription->message.assign(bytes, bytes + buffer->data_size);
+        if (subscription->delivery == Delivery::every) {
+            ++bus.counters_.received;
+            bus.arrived_.push_back(subscription);
+            return;
+        }
+        if (subscription->waits) ++bus.counters_.superseded;
+        subscription->waits = true;
+    }
+};
+
+LcmBus::LcmBus(const std::string& url) : port_(udp_port(url)) {
+    const std::string name = url.empty() ? "LCM's default URL" : "LCM URL \"" + url + "\"";
+    if (!multicast_works(url)) throw std::runtime_error(name + ": " + multicast_advice());
+    const SignalsBlocked blocked;
+    lcm_ = std::make_unique<lcm::LCM>(url);
+    if (!lcm_->good()) {
+        throw std::runtime_error(name +
+                                 ": LCM cannot use it; valid is e.g. \"udpm://239.255.76.67:7667?ttl=0\"");
+    }
+}
+
+LcmBus::~LcmBus() = default;
+
+void LcmBus::publish(const std::string& channel, std::span<const std::uint8_t> message) {
+    check_name(channel);
+    const SignalsBlocked blocked;  // the first publish may start LCM's thread
+    if (lcm_->publish(channel, message.data(), static_cast<unsigned int>(message.size())) == 0) {
+        ++counters_.published;
+    } else if (!failure_logged_) {
+        failure_logged_ = true;
+        spdlog::warn("{}: LCM could not send a message of {} bytes (said once)", channel, message.size());
+    }
+}
+
+void LcmBus::subscribe(const std::string& channel, Delivery delivery, Handler handler) {
+    check_name(channel);
+    const SignalsBlocked blocked;
+    Subscription& subscription = subscriptions_.emplace_back();
+    subscription.bus = this;
+    subscription.delivery = delivery;
+    subscription.handler = std::move(handler);
+    lcm::Subscription* made =
+        lcm_->subscribeFunction(as_expression(channel), &Receiver::receive, &subscription);
+    if (made == nullptr) throw std::runtime_error("cannot subscribe to channel " + channel);
+    made->setQueueCapacity(queue_capacity);
+}
+
+double LcmBus::congestion() const {
+    return port_ == 0 ? 0.0 : fullest_receive_buffer(port_);
+}
+
+bool LcmBus::wait(std::chrono::milliseconds timeout) const {
+    pollfd readable{lcm_->getFileno(), POLLIN, 0};
+    const auto limit = std::clamp<std::chrono::milliseconds::rep>(timeout.count(), 0, 1'000'000'000);
+    return poll(&readable, 1, static_cast<int>(limit)) > 0;
+}
+
+// Handlers run here and not in LCM's callback: an exception must not pass through LCM's C code.
+void LcmBus::deliver_every() {
+    for (Subscription* subscription : arrived_) subscription->handler(subscription->message);
+}
+
+bool LcmBus::deliver_newest() {
+    bool delivered = false;
+    for (Subscription& subscription : subscriptions_) {
+        if (!subscription.waits) continue;
+        subscription.waits = false;
+        delivered = true;
+        ++counters_.received;
+        subscription.handler(subscription.message);
+    }
+    return delivered;
+}
+
+bool LcmBus::dispatch(std::chrono::milliseconds timeout) {
+    if (subscriptions_.empty()) {
+        poll(nullptr, 0,
+             static_cast<int>(std::clamp<std::chrono::milliseconds::rep>(timeout.count(), 0, 1'000'000'000)));
+        return false;
+    }
+    if (!wait(timeout)) return false;
+    bool delivered = false;
+    const auto stop = std::chrono::steady_clock::now() + time_per_dispatch;
+    for (int taken = 0; taken < messages_per_dispatch; ++taken) {
+        arrived_.clear();
+        if (!wait(std::chrono::milliseconds(0)) || lcm_->handleTimeout(0) <= 0) break;
+        delivered = delivered || !arrived_.empty();
+        deliver_every();
+        if (std::chrono::steady_clock::now() >= stop) break;
+    }
+    return deliver_newest() || delivered;
+}
+
+}  // namespace goalmouth

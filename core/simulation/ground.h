@@ -1,0 +1,73 @@
+#pragma once
+
+#include "core/simulation/light.h"
+#include "core/simulation/ray_table.h"
+#include "core/simulation/scene.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace goalmouth {
+
+/// Paints what lies in the plane z = 0: carpet, lines, floor. The share of each pixel that a line covers is
+/// worked out from the line's edges and the pixel's footprint on the ground; a map of which lines are near
+/// keeps that to pixels that need it.
+class GroundPainter {
+  public:
+    GroundPainter(const Scene& scene, const Light& light, const RayTable& rays);
+
+    /// For the frame to come; the camera must be above the ground.
+    void look(const Eigen::Isometry3d& T_WC);
+    /// Pixels at or above the horizon become ceiling.
+    void paint(int row, const LightRow& out);
+
+  private:
+    /// Which parts of the layout lie within `reach` of each square cell, as bits.
+    struct Map {
+        double reach = 0.0;
+        float inverse_cell = 1.0F;
+        int width = 0;
+        int height = 0;
+        float origin_x = 0.0F;
+        float origin_y = 0.0F;
+        std::vector<std::uint32_t> near;
+
+        /// Cell of a point; points beyond the map fall into its rim, which is all outside.
+        int cell(float x, float y) const {
+            const float cx =
+                std::min(std::max((x - origin_x) * inverse_cell, 0.0F), static_cast<float>(width - 1));
+            const float cy =
+                std::min(std::max((y - origin_y) * inverse_cell, 0.0F), static_cast<float>(height - 1));
+            return static_cast<int>(cy) * width + static_cast<int>(cx);
+        }
+    };
+    struct FlatStroke {  // a stroke as its middle, direction and half sizes
+        float x, y, dx, dy, half_length, half_width;
+    };
+    struct Footprint {  // a pixel on the ground: its centre and how far one pixel to the right and down is
+        float x, y, xu, yu, xv, yv;
+    };
+
+    Map make_map(double cell, double reach) const;
+    float stroke_share(const FlatStroke& stroke, const Footprint& p) const;
+    float ring_share(const Ring& ring, const Footprint& p) const;
+    float line_share(std::uint32_t near, const Footprint& p) const;
+    float carpet_share(const Footprint& p) const;
+
+    const RayTable& rays_;
+    FieldLayout layout_;
+    std::vector<FlatStroke> strokes_;
+    Rgb carpet_, line_, floor_, ceiling_;
+    Map fine_, coarse_;
+    std::vector<std::int8_t> mottle_;  // tile of the carpet's brightness
+    float mottle_scale_ = 0.0F;        // share of brightness for each of its levels
+    Eigen::Matrix3f R_WC_ = Eigen::Matrix3f::Identity();
+    Eigen::Vector3f position_ = Eigen::Vector3f::Zero();
+    std::vector<float> depth_, x_, y_, radius_, shade_;  // of the row being painted
+    std::vector<int> cell_, spot_;  // likewise: where to look in the fine map and in the mottle
+};
+
+}  // namespace goalmouth

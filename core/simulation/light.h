@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/parameters/parameters.h"
+
+#include <Eigen/Core>
+
+namespace goalmouth {
+
+/// Light of the hall: the same from everywhere, plus lamps far away in one direction.
+struct LightParameters {
+    double ambient = 0.72;
+    double directional = 0.34;
+    double azimuth = 0.9;
+    double elevation = 1.05;
+    double limb_darkening = 0.2;
+};
+
+template <class Visitor>
+void describe_parameters(Visitor& v, LightParameters& p) {
+    v("ambient", p.ambient, Range{0, 4}, "1", "light from everywhere, as a factor of a surface's colour");
+    v("directional", p.directional, Range{0, 4}, "1", "light of the lamps on a surface that faces them");
+    v("azimuth", p.azimuth, Range{-6.3, 6.3}, "rad", "where the lamps are, from field x towards y");
+    v("elevation", p.elevation, Range{0, 1.571}, "rad", "of the lamps above the horizon");
+    v("limb_darkening", p.limb_darkening, Range{0, 1}, "1",
+      "share of light a round surface loses where it turns away from the camera");
+}
+
+/// How bright a matt surface is. Normals are unit vectors in frame W.
+class Light {
+  public:
+    explicit Light(const LightParameters& parameters);
+
+    /// Factor for a flat surface.
+    double flat(const Eigen::Vector3d& normal) const;
+    /// Factor for a round surface; `towards_camera` is the cosine between its normal and the ray to the
+    /// camera, across the cylinder's axis.
+    float round(float cosine_to_lamps, float towards_camera) const {
+        const float lit = cosine_to_lamps > 0.0F ? ambient_ + directional_ * cosine_to_lamps : ambient_;
+        return lit * (1.0F - limb_darkening_ * (1.0F - towards_camera));
+    }
+    const Eigen::Vector3d& lamps() const { return lamps_; }
+
+  private:
+    float ambient_;
+    float directional_;
+    float limb_darkening_;
+    Eigen::Vector3d lamps_;  // unit, towards them
+};
+
+}  // namespace goalmouth

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/simulation/coverage.h"
+#include "core/simulation/light.h"
+#include "core/simulation/ray_table.h"
+#include "core/simulation/scene.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace goalmouth {
+
+/// Rows and columns an object can touch, both ends included; empty where first > last.
+struct PixelBox {
+    int left = 0, top = 0, right = -1, bottom = -1;
+    bool empty() const { return left > right || top > bottom; }
+};
+
+/// Plane through the camera centre with its normal n in frame C, scaled so that n·(x, y, 1) is in pixels;
+/// which share of a pixel is on its positive side.
+struct EdgePlane {
+    explicit EdgePlane(const Eigen::Vector3d& normal, const Intrinsics& camera);
+    float distance(float x, float y) const { return nx * x + ny * y + nz; }
+    float nx, ny, nz;
+    EdgeCoverage coverage;
+};
+
+/// A thing seen by one camera pose: knows its outline as edges through the camera centre, hence without any
+/// approximation of where a pixel's square is cut, and paints itself over what lies behind it row by row.
+class SeenObject {
+  public:
+    SeenObject(PixelBox box, double distance) : box_(box), distance_(distance) {}
+    virtual ~SeenObject() = default;
+
+    const PixelBox& box() const { return box_; }
+    /// Of its nearest part [m], for painting from far to near.
+    double distance() const { return distance_; }
+    virtual void paint(int row, const RayTable& rays, const LightRow& out) = 0;
+
+  protected:
+    /// Columns of a row within 1.5 px of the positive side of all `edges`, as first and last, within the box;
+    /// under distortion, where edges are curves, the whole box.
+    struct Columns {
+        int first, last;
+    };
+    Columns columns_inside(std::span<const EdgePlane> edges, int row, const RayTable& rays) const;
+
+  private:
+    PixelBox box_;
+    double distance_;
+};
+
+/// Nothing (null) where no pixel shows the thing.
+std::unique_ptr<SeenObject> see(const Panel& panel, const Light& light, const RayTable& rays,
+                                const Eigen::Isometry3d& T_WC);
+std::unique_ptr<SeenObject> see(const Tube& tube, const Light& light, const RayTable& rays,
+                                const Eigen::Isometry3d& T_WC);
+std::unique_ptr<SeenObject> see(const Ball& ball, const Light& light, const RayTable& rays,
+                                const Eigen::Isometry3d& T_WC);
+
+}  // namespace goalmouth

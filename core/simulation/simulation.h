@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/field/field.h"
+#include "core/geometry/camera.h"
+#include "core/parameters/parameters.h"
+#include "core/random/random.h"
+#include "core/simulation/light.h"
+#include "core/simulation/renderer.h"
+#include "core/simulation/scene.h"
+#include "core/simulation/sensor.h"
+#include "core/simulation/truth.h"
+#include "core/simulation/walker.h"
+
+#include <cstddef>
+#include <cstdint>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace goalmouth {
+
+struct SimulationParameters {
+    SceneParameters scene;
+    LightParameters light;
+    SensorParameters sensor;
+    WalkParameters walk;
+    KinematicsParameters kinematics;
+};
+
+template <class Visitor>
+void describe_parameters(Visitor& v, SimulationParameters& p) {
+    v.group("scene", p.scene, "what stands in the hall");
+    v.group("light", p.light, "how it is lit");
+    v.group("sensor", p.sensor, "how the camera turns light into bytes");
+    v.group("walk", p.walk, "how the robot walks");
+    v.group("kinematics", p.kinematics, "how badly the robot knows where its camera is");
+}
+
+/// All that goes with one frame but its pixels.
+struct SimulatedFrame {
+    Truth truth;
+    Pose2 odometry;                                          // as the robot counted it
+    Eigen::Isometry3d T_BC = Eigen::Isometry3d::Identity();  // as the robot measured it
+    Eigen::Matrix<double, 6, 6> T_BC_covariance = Eigen::Matrix<double, 6, 6>::Zero();
+};
+
+/// A robot that walks about a field and sees it.
+class Simulation {
+  public:
+    /// `run`: what belongs to the run as a whole is drawn from it. Throws std::invalid_argument on impossible
+    /// parameters.
+    Simulation(const SimulationParameters& parameters, const Field& field, const Intrinsics& camera,
+               const Random& run);
+
+    /// The robot walks on until `time` [s], which never runs backwards, and takes a frame: height rows of
+    /// `stride` bytes of YUYV at `out`. All noise of the frame comes from `frame`.
+    SimulatedFrame capture(double time, Random& frame, std::uint8_t* out, std::ptrdiff_t stride);
+
+    const Intrinsics& camera() const { return renderer_.camera(); }
+    const Scene& scene() const { return renderer_.scene(); }
+
+  private:
+    Renderer renderer_;
+    Walker walker_;
+    KinematicsModel kinematics_;
+};
+
+}  // namespace goalmouth

@@ -1,0 +1,189 @@
+#include "modules/camera/camera_module.h"
+
+#include "core/conversion/intrinsics.h"
+#include "core/imaging/calibration.h"
+#include "core/imaging/directory_source.h"
+#include "core/imaging/file_error.h"
+#include "core/imaging/jpeg.h"
+#include "core/imaging/v4l2_source.h"
+#include "core/imaging/video_source.h"
+#include "core/messaging/channels.h"
+#include "core/messaging/clock.h"
+#include "core/messaging/typed.h"
+#include "core/process/configuration.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <goalmouth/camera_info_t.hpp>
+#include <spdlog/spdlog.h>
+
+namespace goalmouth {
+
+namespace {
+
+constexpr std::chrono::milliseconds longest_wait{50};
+constexpr std::int64_t info_interval = 1000000;  // µs
+constexpr double usual_rate = 30.0;
+
+std::unique_ptr<ImageSource> open_source(const CameraParameters& p) {
+    const SourceLog log = [](const std::string& what) { spdlog::warn("{}", what); };
+    const ImageSize size{p.width, p.height};
+    try {
+        if (p.source == "v4l2") {
+            V4l2Settings settings;
+            settings.device = p.device;
+            settings.format = p.format == "mjpeg" ? PixelFormat::jpeg : PixelFormat::yuyv;
+            settings.width = p.width;
+            settings.height = p.height;
+            settings.frames_per_second = p.frames_per_second;
+            settings.buffers = p.buffers;
+            return std::make_unique<V4l2Source>(settings, log);
+        }
+        if (p.path.empty())
+            throw ConfigurationError("path: empty, but the source \"" + p.source + "\" needs one");
+        if (p.source == "video") return std::make_unique<VideoSource>(p.path, p.loop, log);
+        return std::make_unique<DirectorySource>(p.path, size, p.loop, log);
+    } catch (const FileError& error) {
+        throw ConfigurationError(error.what());
+    }
+}
+
+double rate_of(const ImageSource& source, const CameraParameters& p) {
+    if (source.live()) return source.frames_per_second();
+    if (p.frames_per_second > 0.0) return p.frames_per_second;
+    return source.frames_per_second() > 0.0 ? source.frames_per_second() : usual_rate;
+}
+
+}  // namespace
+
+ModuleInfo CameraModule::info() {
+    return {"camera",
+            "Images of a camera, a folder or a video file, with their capture time.",
+            {},
+            {{channels::image, "image_t", "each image, its pixels in a ring of shared memory"},
+             {channels::camera_info, "camera_info_t", "once a second: which camera sends"}}};
+}
+
+CameraModule::CameraModule(ModuleContext& context, const Parameters& parameters)
+    : context_(context),
+      parameters_(parameters),
+      source_(open_source(parameters)),
+      output_(context.bus, context.channel(channels::image), parameters.camera_name),
+      camera_info_channel_(context.channel(channels::camera_info)),
+      rate_(rate_of(*source_, parameters)) {
+    if (!parameters.camera.empty())
+        calibration_ = load_parameters<Intrinsics>(std::filesystem::path(parameters.camera));
+    if (source_->live() && calibration_ &&
+        !calibration_for(*calibration_, parameters.width, parameters.height)) {
+        throw ConfigurationError(
+            parameters.camera + ": is for images of " + std::to_string(calibration_->width) + "x" +
+            std::to_string(calibration_->height) + ", which " + std::to_string(parameters.width) + "x" +
+            std::to_string(parameters.height) + " is no scaled copy of");
+    }
+}
+
+std::optional<Intrinsics> CameraModule::intrinsics_for(int width, int height) {
+    if (!calibration_) return assumed_camera(width, height);
+    auto fitting = calibration_for(*calibration_, width, height);
+    if (!fitting) {
+        context_.status.count("wrong_shape");
+        if (!std::exchange(said_wrong_shape_, true)) {
+            spdlog::warn("skipped: an image of {}x{}, but the calibration {} is for {}x{}", width, height,
+                         parameters_.camera, calibration_->width, calibration_->height);
+        }
+    }
+    return fitting;
+}
+
+bool CameraModule::decode(const Captured& frame) {
+    if (frame.format == PixelFormat::yuyv) {
+        pixels_ = {frame.bytes.data(), frame.width, frame.height, frame.stride};
+        return true;
+    }
+    try {
+        decoded_ = yuyv_from_jpeg(frame.bytes);
+    } catch (const std::runtime_error& error) {
+        context_.status.count("damaged_jpeg");
+        if (!std::exchange(said_damaged_jpeg_, true)) spdlog::warn("skipped: a frame: {}", error.what());
+        return false;
+    }
+    pixels_ = decoded_.view();
+    return true;
+}
+
+/// Takes the next image that can be used, if there is one by now.
+bool CameraModule::fetch() {
+    const auto outcome = source_->next(captured_, longest_wait);
+    report_counters();
+    if (outcome == ImageSource::Outcome::ended)
+        end_ = Clock::now() +
+               std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(parameters_.linger));
+    if (outcome != ImageSource::Outcome::captured || !decode(captured_)) return false;
+    intrinsics_ = intrinsics_for(pixels_.width, pixels_.height);
+    return intrinsics_.has_value();
+}
+
+void CameraModule::report_counters() {
+    const SourceCounters& now = source_->counters();
+    if (now.unreadable != reported_.unreadable)
+        context_.status.set("unreadable_images", static_cast<double>(now.unreadable));
+    if (now.damaged != reported_.damaged)
+        context_.status.set("damaged_frames", static_cast<double>(now.damaged));
+    if (now.reopened != reported_.reopened)
+        context_.status.set("camera_reopened", static_cast<double>(now.reopened));
+    context_.status.dropped(now.lost + now.damaged - reported_.lost - reported_.damaged);
+    reported_ = now;
+}
+
+void CameraModule::send(std::int64_t utime) {
+    FrameInfo info;
+    info.utime = utime;
+    info.seq = seq_++;
+    info.intrinsics = to_message(*intrinsics_);
+    announce_camera(utime);
+    output_.publish(info, pixels_);
+    context_.status.output(utime);
+}
+
+void CameraModule::announce_camera(std::int64_t utime) {
+    if (next_info_utime_ && utime < *next_info_utime_) return;
+    next_info_utime_ = utime + info_interval;
+    camera_info_t info{};
+    info.utime = utime;
+    info.camera = parameters_.camera_name;
+    info.source = parameters_.source == "v4l2" ? parameters_.device : parameters_.path;
+    info.frames_per_second = rate_;
+    info.intrinsics = to_message(*intrinsics_);
+    publish(context_.bus, camera_info_channel_, info);
+}
+
+std::chrono::microseconds CameraModule::send_when_due() {
+    if (!fetched_) fetched_ = fetch();
+    if (!fetched_) return std::chrono::microseconds(0);
+    if (!pace_) {
+        start_ = Clock::now();
+        pace_.emplace(
+            rate_, parameters_.start_time > 0.0 ? std::llround(1e6 * parameters_.start_time) : now_utime());
+    }
+    const auto left =
+        std::chrono::ceil<std::chrono::microseconds>(start_ + pace_->after_start(seq_) - Clock::now());
+    if (left.count() > 0) return left;
+    send(pace_->utime(seq_));
+    fetched_ = false;
+    return std::chrono::microseconds(0);
+}
+
+std::chrono::microseconds CameraModule::tick() {
+    if (end_) return std::chrono::milliseconds(10);
+    if (!source_->live()) return send_when_due();
+    if (fetch()) send(captured_.utime);
+    return std::chrono::microseconds(0);
+}
+
+bool CameraModule::finished() const {
+    return end_ && Clock::now() >= *end_;
+}
+
+}  // namespace goalmouth

@@ -1,0 +1,37 @@
+#include "modules/detection_histogram/detection_histogram_module.h"
+
+#include "core/conversion/candidates.h"
+#include "core/conversion/intrinsics.h"
+#include "core/conversion/posts.h"
+#include "core/field/field.h"
+#include "core/messaging/channels.h"
+#include "core/messaging/typed.h"
+#include "core/process/configuration.h"
+
+namespace goalmouth {
+
+ModuleInfo HistogramDetectionModule::info() {
+    return {"detection_histogram",
+            "Finds goalposts as peaks of a histogram of segment lengths over the image's columns.",
+            {{channels::candidates, "candidates_t", "what may belong to goalposts"}},
+            {{channels::posts, "posts_t", "goalposts of each frame"}}};
+}
+
+HistogramDetectionModule::HistogramDetectionModule(ModuleContext& context, const Parameters& parameters)
+    : context_(context),
+      parameters_(parameters),
+      post_diameter_((parameters.field.empty() ? Field{} : load_parameters<Field>(parameters.field)).post_diameter) {
+    subscribe<candidates_t>(context.bus, context.channel(channels::candidates),
+                            [this](const candidates_t& message) { detect(message); });
+}
+
+void HistogramDetectionModule::detect(const candidates_t& message) {
+    const Intrinsics camera = from_message(message.intrinsics);
+    const auto posts = detect_posts_by_histogram(from_message(message), camera, post_diameter_, parameters_);
+    publish(context_.bus, context_.channel(channels::posts),
+            to_message(posts, message.utime, message.seq, camera, info().executable));
+    context_.status.count("posts", static_cast<double>(posts.size()));
+    context_.status.output(message.utime);
+}
+
+}  // namespace goalmouth

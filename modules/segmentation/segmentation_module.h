@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "core/imaging/colour_table.h"
+#include "core/messaging/image_input.h"
+#include "core/process/module.h"
+#include "core/segmentation/scan_lines.h"
+
+namespace goalmouth {
+
+/// Camera frames in, colour segments out.
+class SegmentationModule : public Module {
+  public:
+    struct Parameters {
+        std::string colours;
+        ScanLineParameters scan_lines;
+    };
+    static ModuleInfo info();
+    SegmentationModule(ModuleContext& context, const Parameters& parameters);
+
+  private:
+    void segment(const Frame& frame);
+    std::optional<Eigen::Isometry3d> pose_at(std::int64_t utime) const;
+
+    ModuleContext& context_;
+    Parameters parameters_;
+    ColourTable table_;
+    std::map<std::int64_t, Eigen::Isometry3d> poses_;  // T_BC by utime, the latest few
+    ImageInput images_;
+};
+
+template <class Visitor>
+void describe_parameters(Visitor& v, SegmentationModule::Parameters& p) {
+    v("colours", p.colours, File{}, "colour table (docs/colour_tables.md)");
+    v.group("scan_lines", p.scan_lines, "which rows and columns are looked at");
+}
+
+}  // namespace goalmouth

@@ -1,0 +1,139 @@
+#include "modules/simulator/simulator_module.h"
+
+#include "core/conversion/intrinsics.h"
+#include "core/conversion/simulated_frame.h"
+#include "core/conversion/truth.h"
+#include "core/messaging/channels.h"
+#include "core/messaging/clock.h"
+#include "core/messaging/typed.h"
+#include "core/process/configuration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include <goalmouth/camera_info_t.hpp>
+
+namespace goalmouth {
+namespace {
+
+constexpr std::int64_t info_interval = 1000000;  // µs
+constexpr std::int64_t whole_run = -1;           // in place of a frame's number: what is drawn once
+
+template <class T>
+T load_or_default(const std::string& file) {
+    return file.empty() ? T{} : load_parameters<T>(std::filesystem::path(file));
+}
+
+Simulation make_simulation(const SimulatorParameters& p, const ModuleContext& context) {
+    try {
+        return Simulation(p.simulation, load_or_default<Field>(p.field),
+                          load_or_default<Intrinsics>(p.camera), context.random(whole_run));
+    } catch (const std::invalid_argument& error) {
+        throw ConfigurationError(error.what());
+    }
+}
+
+}  // namespace
+
+ModuleInfo SimulatorModule::info() {
+    return {
+        "simulator",
+        "A robot that walks on a soccer field: its images, odometry and kinematics, and the truth.",
+        {},
+        {{channels::kinematics, "kinematics_t", "with each frame: where the robot measured its camera to be"},
+         {channels::odometry, "odometry_t", "with each frame: where the robot's step counting puts it"},
+         {channels::truth, "truth_t", "with each frame: where everything is; not for modules under test"},
+         {channels::image, "image_t", "each frame, its pixels in a ring of shared memory"},
+         {channels::camera_info, "camera_info_t", "once a second: which camera sends"}}};
+}
+
+SimulatorModule::SimulatorModule(ModuleContext& context, const Parameters& parameters)
+    : context_(context),
+      parameters_(parameters),
+      simulation_(make_simulation(parameters, context)),
+      output_(context.bus, context.channel(channels::image), parameters.camera_name) {}
+
+void SimulatorModule::start() {
+    const auto utime = parameters_.start_utime > 0.0 ? std::llround(parameters_.start_utime) : now_utime();
+    clock_.emplace(utime, parameters_.frames_per_second);
+    next_info_utime_ = utime;
+    started_ = Clock::now();
+}
+
+std::chrono::microseconds SimulatorModule::since_start() const {
+    return std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - started_);
+}
+
+/// Renders ahead of time, so that a frame leaves when it is due and not a rendering time later.
+void SimulatorModule::prepare() {
+    const int stride = yuyv_row_bytes(simulation_.camera().width);
+    const auto memory = output_.begin(static_cast<std::size_t>(stride) *
+                                      static_cast<std::size_t>(simulation_.camera().height));
+    Random random = context_.random(seq_);
+    frame_ = simulation_.capture(clock_->seconds(time_), random, memory.data(), stride);
+    prepared_ = true;
+}
+
+void SimulatorModule::send() {
+    FrameInfo info;
+    info.utime = clock_->utime(time_);
+    info.seq = seq_;
+    info.intrinsics = to_message(simulation_.camera());
+
+    Bus& bus = context_.bus;
+    publish(bus, context_.channel(channels::kinematics), kinematics_message(frame_, info.utime, seq_));
+    publish(bus, context_.channel(channels::odometry),
+            odometry_message(frame_, parameters_.simulation.walk.odometry, info.utime, seq_));
+    publish(bus, context_.channel(channels::truth), to_message(frame_.truth, info.utime, seq_));
+    output_.publish_yuyv(info, yuyv_row_bytes(simulation_.camera().width));
+    context_.status.output(info.utime);
+
+    if (info.utime >= next_info_utime_) {
+        next_info_utime_ = info.utime + info_interval;
+        camera_info_t camera{};
+        camera.utime = info.utime;
+        camera.camera = parameters_.camera_name;
+        camera.source = "simulator";
+        camera.frames_per_second = parameters_.frames_per_second;
+        camera.intrinsics = info.intrinsics;
+        publish(bus, context_.channel(channels::camera_info), camera);
+    }
+
+    prepared_ = false;
+    ++seq_;
+    ++time_;
+    if (parameters_.frames > 0 && seq_ >= parameters_.frames)
+        end_ = Clock::now() +
+               std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(parameters_.linger));
+}
+
+std::chrono::microseconds SimulatorModule::tick() {
+    using std::chrono::microseconds;
+    if (end_) return std::chrono::milliseconds(10);
+    if (!clock_) start();
+    if (!prepared_) {
+        if (parameters_.realtime) {
+            const std::int64_t latest = clock_->latest(clock_->utime(0) + since_start().count());
+            if (latest > time_) {
+                context_.status.count("late_frames", static_cast<double>(latest - time_));
+                time_ = latest;
+            }
+        }
+        prepare();
+    }
+    if (parameters_.realtime) {
+        const microseconds due(clock_->utime(time_) - clock_->utime(0));
+        const microseconds now = since_start();
+        if (now < due) return due - now;
+    }
+    send();
+    return microseconds(0);
+}
+
+bool SimulatorModule::finished() const {
+    return end_ && Clock::now() >= *end_;
+}
+
+}  // namespace goalmouth

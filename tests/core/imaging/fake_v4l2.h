@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <linux/videodev2.h>
+#include <string>
+#include <vector>
+
+namespace goalmouth::test {
+
+/// A camera behind system calls the test plays (the linker's --wrap). While one exists, opening `path` opens
+/// it.
+class FakeCamera {
+  public:
+    static constexpr const char* path = "/dev/fake-camera";
+
+    FakeCamera();
+    ~FakeCamera();
+    FakeCamera(const FakeCamera&) = delete;
+    FakeCamera& operator=(const FakeCamera&) = delete;
+
+    /// What the next dequeue gives: a frame, or an error if `error` is not 0.
+    struct Event {
+        std::vector<std::uint8_t> bytes;
+        std::uint32_t sequence = 0;
+        std::uint32_t flags = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
+        std::int64_t monotonic_us = 0;
+        int error = 0;
+    };
+    std::deque<Event> events;
+
+    std::uint32_t offered = V4L2_PIX_FMT_YUYV;  // in one size only:
+    std::uint32_t width = 8;
+    std::uint32_t height = 4;
+    int interrupted_ioctls = 0;  // so many of the next calls end with EINTR
+    int interrupted_polls = 0;
+    short poll_events = 0;   // instead of POLLIN for a waiting event, where not 0
+    bool unplugged = false;  // cannot be opened; an open one answers ENODEV
+
+    int opened = 0, closed = 0, mapped = 0, unmapped = 0;
+    int queued = 0;  // buffers the driver holds
+    bool streaming = false;
+
+    int ioctl(unsigned long request, void* argument);
+
+  private:
+    friend struct FakeCalls;
+    int dequeue(v4l2_buffer& buffer);
+    int fd_ = -1;
+    std::vector<std::vector<std::uint8_t>> memory_;
+    std::deque<std::uint32_t> free_;
+};
+
+}  // namespace goalmouth::test

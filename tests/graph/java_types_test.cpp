@@ -1,0 +1,42 @@
+// What lcm-spy sees: each channel of the running graph, decoded by the Java types.
+
+#include "tests/graph/processes.h"
+#include "tests/graph/running_graph.h"
+
+#include <gtest/gtest.h>
+
+namespace goalmouth {
+namespace {
+
+class JavaTypes : public testing::TestWithParam<const char*> {};
+
+TEST_P(JavaTypes, DecodeEveryChannel) {
+    if (!std::filesystem::exists(test::program("java_types"))) {
+        GTEST_SKIP() << "skipped: no JDK or lcm.jar when this was built";
+    }
+    GraphOptions options;
+    options.tap = GetParam();
+    options.settings = {"camera.frames_per_second=10"};
+    test::RunningGraph graph(test::shipped_graph("ransac"), options);
+    std::vector<std::string> command = {test::program("java_types").string(), "60", "STATUS"};
+    for (const auto& process : graph.launcher().graph().processes) {
+        for (const auto& use : process.description.info.publishes) {
+            const std::string channel = process.channel(use.channel);
+            // A picture goes whole where it fits a datagram, in slices where not: raw ones never fit.
+            const bool other_form = channel == (options.tap == "raw" ? "IMAGE_TAP" : "IMAGE_SLICES");
+            if (!other_form) command.push_back(channel);
+        }
+    }
+    ASSERT_GE(command.size(), 12U);
+    ::setenv("LCM_DEFAULT_URL", "udpm://239.255.76.67:7667?ttl=0", 1);
+    test::Running java(command, test::new_mark());
+    int code = -1;
+    graph.until([&] { return (code = java.wait(std::chrono::seconds(0))) >= 0; }, std::chrono::seconds(90));
+    EXPECT_EQ(code, 0) << java.output() << graph.story();
+}
+
+INSTANTIATE_TEST_SUITE_P(Taps, JavaTypes, testing::Values("jpeg", "raw"),
+                         [](const auto& tap) { return std::string(tap.param); });
+
+}  // namespace
+}  // namespace goalmouth

@@ -1,0 +1,77 @@
+#include "tests/graph/running_graph.h"
+
+#include "core/messaging/typed.h"
+#include "tests/graph/processes.h"
+
+#include <algorithm>
+
+namespace goalmouth::test {
+
+RunningGraph::RunningGraph(const std::string& file, GraphOptions options) {
+    const Graph graph = load_graph(file, options);
+    LauncherOptions launcher_options;
+    launcher_options.lcm_url = lcm_url_of(graph);
+    launcher_options.first_backoff = 0.1;
+    launcher_ = std::make_unique<Launcher>(graph, launcher_options);
+    bus_ = std::make_unique<LcmBus>(launcher_options.lcm_url);
+    std::set<std::string> channels;
+    for (const auto& process : graph.processes) {
+        for (const auto& use : process.description.info.publishes)
+            channels.insert(process.channel(use.channel));
+    }
+    for (const auto& channel : channels) {
+        bus_->subscribe(channel, Delivery::every, [this, channel](std::span<const std::uint8_t> bytes) {
+            ++counts_[channel];
+            if (channel == "POSTS") static_cast<void>(decode(bytes, posts_));
+            if (channel == "POSE") static_cast<void>(decode(bytes, pose_));
+        });
+    }
+    launcher_->start();
+}
+
+void RunningGraph::step() {
+    for (const auto& event : launcher_->poll(std::chrono::milliseconds(10))) {
+        story_ +=
+            (event.process < 0 ? "" : launcher_->processes()[static_cast<std::size_t>(event.process)].name) +
+            ": " + event.text + "\n";
+    }
+    for (const auto& process : launcher_->processes()) pids_.insert(process.pid);
+    bus_->dispatch(std::chrono::milliseconds(10));
+}
+
+bool RunningGraph::until(const std::function<bool()>& holds, std::chrono::seconds limit) {
+    bool held = false;
+    eventually(
+        [&] {
+            step();
+            held = holds();
+            return held || any_failed();
+        },
+        limit);
+    return held;
+}
+
+bool RunningGraph::any_failed() const {
+    const auto processes = launcher_->processes();
+    return std::any_of(processes.begin(), processes.end(),
+                       [](const ProcessReport& process) { return process.state == ProcessState::failed; });
+}
+
+bool RunningGraph::until_more(const std::string& channel, int count) {
+    const int before = messages(channel);
+    return until([&] { return messages(channel) >= before + count; });
+}
+
+ProcessReport RunningGraph::process(const std::string& name) const {
+    for (const auto& process : launcher_->processes()) {
+        if (process.name == name) return process;
+    }
+    throw std::runtime_error("no process " + name);
+}
+
+int RunningGraph::messages(const std::string& channel) const {
+    const auto found = counts_.find(channel);
+    return found == counts_.end() ? 0 : found->second;
+}
+
+}  // namespace goalmouth::test

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/messaging/lcm_bus.h"
+#include "core/process/launcher.h"
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <goalmouth/pose_t.hpp>
+#include <goalmouth/posts_t.hpp>
+
+namespace goalmouth::test {
+
+/// A graph with its launcher, and somebody who listens to what comes out.
+class RunningGraph {
+  public:
+    explicit RunningGraph(const std::string& graph, GraphOptions options = {});
+
+    /// Lets things happen for a moment.
+    void step();
+    /// Steps until it holds, with a generous limit; gives up where a process failed for good.
+    bool until(const std::function<bool()>& holds, std::chrono::seconds limit = std::chrono::seconds(60));
+    /// Steps until `count` more messages came on the channel.
+    bool until_more(const std::string& channel, int count);
+
+    Launcher& launcher() { return *launcher_; }
+    ProcessReport process(const std::string& name) const;
+    int messages(const std::string& channel) const;
+    const posts_t& posts() const { return posts_; }
+    const pose_t& pose() const { return pose_; }
+    /// Every process that ever ran.
+    const std::set<pid_t>& pids() const { return pids_; }
+    /// What processes wrote and what befell them, for messages of failing tests.
+    const std::string& story() const { return story_; }
+
+  private:
+    bool any_failed() const;
+
+    std::unique_ptr<Launcher> launcher_;
+    std::unique_ptr<LcmBus> bus_;
+    std::map<std::string, int> counts_;
+    posts_t posts_{};
+    pose_t pose_{};
+    std::set<pid_t> pids_;
+    std::string story_;
+};
+
+}  // namespace goalmouth::test

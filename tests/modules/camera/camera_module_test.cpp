@@ -1,0 +1,191 @@
+#include "modules/camera/camera_module.h"
+
+#include "core/imaging/conversion.h"
+#include "core/imaging/image_file.h"
+#include "core/messaging/frame_ring.h"
+#include "core/messaging/memory_bus.h"
+#include "core/messaging/typed.h"
+#include "core/process/configuration.h"
+#include "core/process/run_module.h"
+#include "tests/support/data.h"
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <goalmouth/camera_info_t.hpp>
+#include <goalmouth/image_t.hpp>
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+namespace goalmouth {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class Camera : public testing::Test {
+  protected:
+    Camera() {
+        auto& receiver = hub_.endpoint("receiver");
+        subscribe<image_t>(receiver, "IMAGE", [this](const image_t& m) {
+            images_.push_back(m);
+            const auto frame = reader_.try_open(m);
+            ASSERT_TRUE(frame) << "the pixels are to be had";
+            first_lumas_.push_back(frame->bytes()[0]);
+        });
+        subscribe<camera_info_t>(receiver, "CAMERA_INFO",
+                                 [this](const camera_info_t& m) { infos_.push_back(m); });
+        parameters_.source = "directory";
+        parameters_.path = folder_.path().string();
+        parameters_.frames_per_second = 500.0;
+        parameters_.linger = 0.0;
+        parameters_.start_time = 1.7e9;
+    }
+    void picture(const std::string& name, int grey, int width = 64, int height = 48) {
+        ASSERT_TRUE(cv::imwrite((folder_.path() / name).string(),
+                                cv::Mat(height, width, CV_8UC3, cv::Scalar::all(grey))));
+    }
+    void text(const std::string& name, const std::string& content) {
+        write_bytes(folder_.path() / name,
+                    {reinterpret_cast<const std::uint8_t*>(content.data()), content.size()});
+    }
+    /// Runs the module until it has finished or sent `most` images.
+    void run(std::size_t most = 1000) {
+        auto& bus = hub_.endpoint("camera");
+        ModuleContext context{bus, status_, "camera", 0, {}};
+        CameraModule module(context, parameters_);
+        const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        while (!module.finished() && images_.size() < most && std::chrono::steady_clock::now() < deadline) {
+            module.tick();
+            bus.dispatch(std::chrono::milliseconds(0));
+        }
+    }
+    std::string error() {
+        try {
+            run();
+        } catch (const ConfigurationError& e) {
+            return e.what();
+        }
+        return "no error";
+    }
+
+    test::TemporaryFolder folder_;
+    MemoryHub hub_;
+    Status status_;
+    CameraParameters parameters_;
+    RingReader reader_;
+    std::vector<image_t> images_;
+    std::vector<camera_info_t> infos_;
+    std::vector<int> first_lumas_;
+};
+
+TEST_F(Camera, SendsAFolderOnceAndEnds) {
+    picture("a.png", 10);
+    picture("b.png", 20);
+    text("c.png", "broken");
+    picture("d.png", 40);
+    run();
+    EXPECT_THAT(first_lumas_, ElementsAre(10, 20, 40));
+    ASSERT_EQ(images_.size(), 3U);
+    for (std::size_t i = 0; i < images_.size(); ++i) {
+        EXPECT_EQ(images_[i].seq, static_cast<std::int64_t>(i));
+        EXPECT_EQ(images_[i].utime, 1700000000000000 + static_cast<std::int64_t>(i) * 2000);
+        EXPECT_EQ(images_[i].width, 64);
+        EXPECT_EQ(images_[i].intrinsics.width, 64);
+        EXPECT_EQ(images_[i].encoding, "yuyv");
+        EXPECT_EQ(images_[i].camera, "camera");
+    }
+    EXPECT_EQ(status_.outputs(), 3);
+    EXPECT_EQ(status_.counters().at("unreadable_images"), 1.0);
+}
+
+TEST_F(Camera, LoopsWhereAsked) {
+    picture("a.png", 10);
+    picture("b.png", 20);
+    parameters_.loop = true;
+    run(5);
+    EXPECT_THAT(first_lumas_, ElementsAre(10, 20, 10, 20, 10));
+}
+
+TEST_F(Camera, SaysWhoItIsOnceASecondOfCaptureTime) {
+    picture("a.png", 10);
+    parameters_.loop = true;
+    parameters_.frames_per_second = 1000.0;
+    parameters_.camera_name = "left eye";
+    run(2001);
+    ASSERT_EQ(infos_.size(), 3U);
+    EXPECT_EQ(infos_[0].camera, "left eye");
+    EXPECT_EQ(infos_[0].source, folder_.path().string());
+    EXPECT_EQ(infos_[0].frames_per_second, 1000.0);
+    EXPECT_EQ(infos_[1].utime - infos_[0].utime, 1000000);
+    EXPECT_NEAR(infos_[0].intrinsics.fx, 64.0 / (2.0 * std::tan(M_PI / 6.0)), 1e-9);
+}
+
+TEST_F(Camera, ScalesTheCalibrationAndSkipsImagesOfAnotherShape) {
+    picture("a.png", 10, 64, 48);
+    picture("b.png", 20, 64, 64);
+    picture("c.png", 30, 128, 96);
+    text("eye.yaml", "width: 640\nheight: 480\nfx: 500\nfy: 500\ncx: 320\ncy: 240\n");
+    parameters_.camera = (folder_.path() / "eye.yaml").string();
+    run();
+    EXPECT_THAT(first_lumas_, ElementsAre(10, 30));
+    EXPECT_NEAR(images_.at(0).intrinsics.fx, 50.0, 1e-9);
+    EXPECT_NEAR(images_.at(1).intrinsics.fx, 100.0, 1e-9);
+    EXPECT_EQ(status_.counters().at("wrong_shape"), 1.0);
+}
+
+TEST_F(Camera, SendsAnImageOfOnePixel) {
+    picture("a.png", 10, 1, 1);
+    run();
+    ASSERT_EQ(images_.size(), 1U);
+    EXPECT_EQ(images_[0].width, 1);
+}
+
+TEST_F(Camera, MistakesInItsConfigurationAreNamed) {
+    EXPECT_THAT(error(), HasSubstr("holds no image"));
+    parameters_.path = "";
+    EXPECT_THAT(error(), HasSubstr("path"));
+    parameters_.source = "video";
+    parameters_.path = (folder_.path() / "none.avi").string();
+    EXPECT_THAT(error(), HasSubstr("none.avi"));
+    picture("a.png", 10);
+    parameters_.source = "directory";
+    parameters_.path = folder_.path().string();
+    parameters_.camera = (folder_.path() / "none.yaml").string();
+    EXPECT_THAT(error(), HasSubstr("none.yaml"));
+}
+
+TEST_F(Camera, ALingeringSourceKeepsItsPixelsForLateReaders) {
+    picture("a.png", 10);
+    parameters_.linger = 0.2;
+    auto& bus = hub_.endpoint("camera");
+    ModuleContext context{bus, status_, "camera", 0, {}};
+    CameraModule module(context, parameters_);
+    const auto begun = std::chrono::steady_clock::now();
+    while (images_.empty()) {
+        module.tick();
+        bus.dispatch(std::chrono::milliseconds(0));
+    }
+    while (!module.finished()) {
+        module.tick();
+        if (std::chrono::steady_clock::now() - begun > std::chrono::seconds(30)) break;
+    }
+    EXPECT_GE(std::chrono::steady_clock::now() - begun, std::chrono::milliseconds(200));
+    EXPECT_TRUE(module.finished());
+    EXPECT_TRUE(reader_.try_open(images_.back()));
+}
+
+TEST(CameraConfiguration, TheShippedFileHoldsTheDefaults) {
+    const std::filesystem::path file = std::string(GOALMOUTH_SOURCE_DIR) + "/config/modules/camera.yaml";
+    const auto shipped = list_parameters(load_parameters<CameraParameters>(file));
+    const auto defaults = list_parameters<CameraParameters>();
+    ASSERT_EQ(shipped.size(), defaults.size());
+    const Configuration configuration = Configuration::from_file(file);
+    for (std::size_t i = 0; i < defaults.size(); ++i)
+        EXPECT_EQ(shipped[i].value, defaults[i].value) << defaults[i].key;
+}
+
+}  // namespace
+}  // namespace goalmouth

@@ -1,0 +1,119 @@
+#include "modules/segmentation/segmentation_module.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/conversion/camera_pose.h"
+#include "core/conversion/segments.h"
+#include "core/imaging/colour_table_file.h"
+#include "core/messaging/channels.h"
+#include "core/messaging/image_output.h"
+#include "core/messaging/memory_bus.h"
+#include "core/messaging/typed.h"
+#include "core/process/configuration.h"
+#include "tests/support/data.h"
+#include "tests/support/post_scene.h"
+
+namespace goalmouth {
+namespace {
+
+using namespace goalmouth::test;
+
+struct SegmentationModuleTest : testing::Test {
+    SegmentationModuleTest() {
+        parameters.colours = (folder.path() / "table.gmct").string();
+        save_colour_table(scene_table(), parameters.colours);
+        subscribe<segments_t>(hub.endpoint("listener"), channels::segments, [this](const segments_t& m) { heard.push_back(m); });
+    }
+    TemporaryFolder folder;
+    MemoryHub hub;
+    Status status;
+    ModuleContext context{hub.endpoint("segmentation"), status, "segmentation", 1, {}};
+    SegmentationModule::Parameters parameters;
+    std::vector<segments_t> heard;
+    Bus& camera = hub.endpoint("camera");
+};
+
+TEST_F(SegmentationModuleTest, SegmentsEachFrameUnderItsStamp) {
+    SegmentationModule module(context, parameters);
+    publish(camera, channels::image, scene_message(41));
+    hub.run_until_idle();
+    ASSERT_EQ(heard.size(), 1U);
+    EXPECT_EQ(heard[0].seq, 41);
+    EXPECT_EQ(heard[0].utime, scene_message(41).utime);
+    EXPECT_EQ(heard[0].table, "scene");
+    EXPECT_EQ(heard[0].intrinsics.width, 320);
+    EXPECT_EQ(heard[0].num_lines, 60 + 80);
+    EXPECT_EQ(status.outputs(), 1);
+    const Segments segments = from_message(heard[0]);
+    const ScanLine& row = segments.lines[15];  // y = 62
+    ASSERT_EQ(row.count, 3);
+    EXPECT_EQ(segments.segments[static_cast<std::size_t>(row.first) + 1].start, 150);
+    EXPECT_EQ(segments.segments[static_cast<std::size_t>(row.first) + 1].colour, Colour::goal);
+}
+
+TEST_F(SegmentationModuleTest, TakesPixelsFromSharedMemoryAlike) {
+    SegmentationModule module(context, parameters);
+    ImageOutput output(camera, channels::image, "front");
+    FrameInfo info;
+    info.utime = scene_message(3).utime;
+    info.seq = 3;
+    info.intrinsics = scene_message(3).intrinsics;
+    output.publish(info, scene_image().view());
+    hub.run_until_idle();
+    publish(camera, channels::image_tap, scene_message(1000));
+    hub.run_until_idle();
+    ASSERT_EQ(heard.size(), 2U);
+    EXPECT_EQ(heard[0].start, heard[1].start);
+    EXPECT_EQ(heard[0].transition_offset, heard[1].transition_offset);
+}
+
+TEST_F(SegmentationModuleTest, SpacesLinesOnTheFieldOnceItKnowsTheCamera) {
+    parameters.scan_lines.spacing = "field";
+    SegmentationModule module(context, parameters);
+    publish(camera, channels::image, scene_message(0));
+    hub.run_until_idle();
+    publish(camera, channels::kinematics, kinematics_message(camera_in_body(0.4, 0.0, 0.4), scene_message(1).utime, 1));
+    publish(camera, channels::image, scene_message(1));
+    hub.run_until_idle();
+    ASSERT_EQ(heard.size(), 2U);
+    EXPECT_NE(heard[0].line_position, heard[1].line_position);
+}
+
+TEST_F(SegmentationModuleTest, IgnoresACameraPoseYoungerThanTheFrame) {
+    parameters.scan_lines.spacing = "field";
+    SegmentationModule module(context, parameters);
+    publish(camera, channels::kinematics, kinematics_message(camera_in_body(0.4, 0.0, 0.4), scene_message(9).utime, 9));
+    publish(camera, channels::image, scene_message(0));
+    hub.run_until_idle();
+    ASSERT_EQ(heard.size(), 1U);
+    EXPECT_EQ(heard[0].line_position[0], 2);
+}
+
+TEST_F(SegmentationModuleTest, SaysWhichTableIsMissing) {
+    parameters.colours = "/no/such/table.gmct";
+    try {
+        SegmentationModule module(context, parameters);
+        FAIL() << "accepted a missing table";
+    } catch (const ConfigurationError& error) {
+        EXPECT_NE(std::string(error.what()).find("/no/such/table.gmct"), std::string::npos);
+    }
+    parameters.colours = "";
+    EXPECT_THROW(SegmentationModule(context, parameters), ConfigurationError);
+}
+
+TEST_F(SegmentationModuleTest, DocumentsEveryParameterInItsFile) {
+    const auto file = std::filesystem::path(GOALMOUTH_SOURCE_DIR) / "config" / "modules" / "segmentation.yaml";
+    const auto loaded = list_parameters(load_parameters<SegmentationModule::Parameters>(file));
+    const auto defaults = list_parameters<SegmentationModule::Parameters>();
+    ASSERT_EQ(loaded.size(), defaults.size());
+    for (std::size_t i = 0; i < loaded.size(); ++i) {
+        if (loaded[i].key != "colours") {
+            EXPECT_EQ(loaded[i].value, defaults[i].value) << loaded[i].key;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace goalmouth

@@ -1,0 +1,172 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/imaging/conversion.h"
+#include "core/imaging/file_error.h"
+#include "core/imaging/image_file.h"
+#include "core/process/configuration.h"
+#include "tools/goalmouth/detect_report.h"
+#include "tools/goalmouth/image_chain.h"
+#include "tools/goalmouth/overlay.h"
+#include "tools/goalmouth/verbs.h"
+
+namespace goalmouth {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    ImageChainOptions chain;
+    std::string json;
+    fs::path overlay;
+    std::string size;
+    double roll = 0.0;
+    double pitch = 0.0;
+    double height = 0.0;  // 0: not given
+    std::vector<std::string> images;
+};
+
+/// Folders become the pictures in them, by name.
+std::vector<std::string> expand(const std::vector<std::string>& named) {
+    std::vector<std::string> files;
+    for (const auto& name : named) {
+        if (!fs::is_directory(name)) {
+            files.push_back(name);
+            continue;
+        }
+        std::vector<std::string> inside;
+        for (const auto& entry : fs::directory_iterator(name)) {
+            if (entry.is_regular_file() && is_image_name(entry.path())) inside.push_back(entry.path().string());
+        }
+        std::sort(inside.begin(), inside.end());
+        if (inside.empty()) throw ConfigurationError(name + ": there is no picture in this folder");
+        files.insert(files.end(), inside.begin(), inside.end());
+    }
+    return files;
+}
+
+/// Writes each picture under a name of its own.
+class OverlayFolder {
+  public:
+    explicit OverlayFolder(fs::path folder) : folder_(std::move(folder)) {
+        if (folder_.empty()) return;
+        std::error_code problem;
+        fs::create_directories(folder_, problem);
+        if (problem) throw ConfigurationError("--overlay: the folder " + folder_.string() + " cannot be made: " + problem.message());
+    }
+
+    void write(const std::string& file, YuyvView image, const ImageResult& result) {
+        if (folder_.empty()) return;
+        cv::Mat picture = bgr_from_yuyv(image);
+        draw_candidates(picture, result.candidates);
+        draw_border(picture, result.border);
+        draw_posts(picture, result.posts);
+        const std::string stem = fs::path(file).stem().string();
+        std::string name = stem;
+        for (int n = 2; !used_.insert(name).second; ++n) name = stem + "_" + std::to_string(n);
+        const fs::path target = folder_ / (name + ".png");
+        if (!cv::imwrite(target.string(), picture)) throw ConfigurationError("--overlay: " + target.string() + " cannot be written");
+    }
+
+  private:
+    fs::path folder_;
+    std::set<std::string> used_;
+};
+
+/// "12/345" on a terminal, nothing elsewhere.
+class Progress {
+  public:
+    explicit Progress(std::size_t count) : count_(count), shown_(count > 10 && isatty(STDERR_FILENO) != 0) {}
+    ~Progress() {
+        if (shown_) std::cerr << "\r\x1b[K" << std::flush;
+    }
+    void step() {
+        if (shown_) std::cerr << '\r' << ++done_ << '/' << count_ << " pictures" << std::flush;
+    }
+
+  private:
+    std::size_t count_;
+    std::size_t done_ = 0;
+    bool shown_;
+};
+
+void write_json(const std::string& target, const nlohmann::ordered_json& reports) {
+    if (target == "-") {
+        std::cout << reports.dump(1) << '\n';
+        return;
+    }
+    std::ofstream out(target);
+    out << reports.dump(1) << '\n';
+    if (!out.flush()) throw ConfigurationError("--json: " + target + " cannot be written");
+}
+
+int detect(Options options) {
+    std::optional<ImageSize> size;
+    if (!options.size.empty()) {
+        size = parse_image_size(options.size);
+        if (!size) throw ConfigurationError("--size: \"" + options.size + "\" is no size such as 640x480");
+    }
+    if (options.height > 0.0) options.chain.T_BC = camera_in_body(options.height, options.roll, options.pitch);
+
+    const std::vector<std::string> files = expand(options.images);
+    OverlayFolder overlays(options.overlay);
+    ImageChain chain(options.chain);
+    auto reports = nlohmann::ordered_json::array();
+    std::string summaries;
+    int unreadable = 0;
+    {
+        Progress progress(files.size());
+        for (const auto& file : files) {
+            progress.step();
+            YuyvImage image;
+            try {
+                image = read_image(file, is_raw_image_name(file) ? size : std::nullopt);
+            } catch (const FileError& error) {
+                std::cerr << "goalmouth: " << error.what() << '\n';
+                ++unreadable;
+                continue;
+            }
+            const ImageResult result = chain.run(image.view());
+            overlays.write(file, image.view(), result);
+            if (!options.json.empty()) reports.push_back(image_report(file, result));
+            summaries += image_summary(file, result);
+        }
+    }
+    if (options.json != "-") std::cout << summaries;
+    if (!options.json.empty()) write_json(options.json, reports);
+    return unreadable > 0 ? 2 : 0;
+}
+
+}  // namespace
+
+void add_detect_verb(CLI::App& app, Action& action) {
+    auto options = std::make_shared<Options>();
+    CLI::App* verb = app.add_subcommand("detect", "Find goalposts in pictures, with the modules of a graph in one process");
+    verb->add_option("IMAGE", options->images, "pictures (PNG, JPEG, PPM, raw 4:2:2 as .yuyv) or folders of them")->required();
+    verb->add_option("--graph", options->chain.graph, "graph whose stages are used: a file, or the name of one in config/graphs")
+        ->capture_default_str();
+    verb->add_option("--camera", options->chain.camera, "calibration, scaled to each picture's size; else the graph's");
+    verb->add_option("--field", options->chain.field, "field description; else the graph's");
+    verb->add_option("--colours", options->chain.colours, "colour table; else the graph's");
+    verb->add_option("--json", options->json, "write the results there; - for standard output instead of the text");
+    verb->add_option("--overlay", options->overlay, "folder for pictures with border, candidates and posts drawn in");
+    verb->add_option("--size", options->size, "WIDTHxHEIGHT of raw pictures [px]");
+    CLI::Option* height = verb->add_option("--height", options->height, "camera above the ground [m]")->check(CLI::PositiveNumber);
+    verb->add_option("--roll", options->roll, "camera roll, clockwise as the camera sees it [rad]")->needs(height);
+    verb->add_option("--pitch", options->pitch, "camera pitch, + down [rad]")->needs(height);
+    verb->add_option("--set", options->chain.settings, "PROCESS.KEY=VALUE: a parameter of one stage")->take_all();
+    verb->footer("Exit code 2 where a picture cannot be read; the others are processed all the same.");
+    verb->callback([options, &action] { action = [options] { return detect(*options); }; });
+}
+
+}  // namespace goalmouth

@@ -1,0 +1,220 @@
+#include "tools/goalmouth/image_chain.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include <goalmouth/border_t.hpp>
+#include <goalmouth/candidates_t.hpp>
+#include <goalmouth/image_t.hpp>
+#include <goalmouth/posts_t.hpp>
+
+#include "core/conversion/border.h"
+#include "core/conversion/camera_pose.h"
+#include "core/conversion/candidates.h"
+#include "core/conversion/intrinsics.h"
+#include "core/conversion/posts.h"
+#include "core/messaging/channels.h"
+#include "core/messaging/memory_bus.h"
+#include "core/messaging/typed.h"
+#include "core/process/configuration.h"
+#include "core/process/status.h"
+#include "tools/goalmouth/registry.h"
+
+namespace goalmouth {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool publishes_type(const GraphProcess& process, const std::string& type) {
+    const auto& uses = process.description.info.publishes;
+    return std::any_of(uses.begin(), uses.end(), [&](const ChannelUse& use) { return use.type == type; });
+}
+
+/// The processes between pictures and posts: those that find posts, and whatever they get their messages from, up to the source of
+/// the pictures, which is left out.
+std::vector<GraphProcess> stages_to_posts(const Graph& graph) {
+    std::set<std::string> wanted;  // channels
+    std::vector<bool> taken(graph.processes.size(), false);
+    for (bool grew = true; grew;) {
+        grew = false;
+        for (std::size_t i = 0; i < graph.processes.size(); ++i) {
+            const GraphProcess& process = graph.processes[i];
+            if (taken[i] || publishes_type(process, "image_t")) continue;
+            const auto& info = process.description.info;
+            const bool needed = std::any_of(info.publishes.begin(), info.publishes.end(), [&](const ChannelUse& use) {
+                return use.type == "posts_t" || wanted.contains(process.channel(use.channel));
+            });
+            if (!needed) continue;
+            taken[i] = grew = true;
+            for (const ChannelUse& use : info.subscribes) {
+                if (use.type != "image_t" && use.type != "posts_t") wanted.insert(process.channel(use.channel));
+            }
+        }
+    }
+    std::vector<GraphProcess> stages;
+    for (std::size_t i = 0; i < graph.processes.size(); ++i) {
+        if (taken[i]) stages.push_back(graph.processes[i]);
+    }
+    return stages;
+}
+
+void override_parameter(std::vector<GraphProcess>& stages, const std::string& key, const fs::path& file, const std::string& origin) {
+    if (file.empty()) return;
+    if (!fs::exists(file)) throw ConfigurationError(origin + ": there is no file " + file.string());
+    bool known = false;
+    for (GraphProcess& process : stages) {
+        const auto& parameters = process.description.parameters;
+        if (std::none_of(parameters.begin(), parameters.end(), [&](const ParameterInfo& p) { return p.key == key; })) continue;
+        process.settings.push_back({key, fs::absolute(file).string(), {origin, 0}, fs::current_path()});
+        known = true;
+    }
+    if (!known) throw ConfigurationError(origin + ": no stage of the graph has a parameter `" + key + "`");
+}
+
+/// The camera file that the graph gives the source of its pictures, if any.
+fs::path camera_of(const Graph& graph) {
+    fs::path found;
+    for (const GraphProcess& process : graph.processes) {
+        if (!publishes_type(process, "image_t")) continue;
+        for (const GraphSetting& setting : process.settings) {
+            if (setting.key == "camera" && !setting.value.empty()) found = setting.folder / setting.value;
+        }
+    }
+    return found;
+}
+
+image_t image_message(YuyvView image, const Intrinsics& camera, std::int64_t utime) {
+    image_t m{};
+    m.utime = utime;
+    m.seq = 0;
+    m.camera = "picture";
+    m.intrinsics = to_message(camera);
+    m.width = image.width;
+    m.height = image.height;
+    m.row_stride = yuyv_row_bytes(image.width);
+    m.encoding = "yuyv";
+    m.slot = -1;
+    m.generation = -1;
+    for (int y = 0; y < image.height; ++y) m.data.insert(m.data.end(), image.row(y), image.row(y) + m.row_stride);
+    m.size = m.data_size = static_cast<std::int32_t>(m.data.size());
+    return m;
+}
+
+struct Stage {
+    GraphProcess process;
+    MemoryBus* bus = nullptr;
+    Status status;
+    std::unique_ptr<ModuleContext> context;
+    std::unique_ptr<Module> module;
+};
+
+}  // namespace
+
+struct ImageChain::State {
+    MemoryHub hub;
+    std::vector<std::unique_ptr<Stage>> stages;
+    std::set<std::string> image_channels;
+    std::set<std::string> kinematics_channels;
+    Intrinsics camera;
+    std::optional<Eigen::Isometry3d> T_BC;
+    std::int64_t utime = 0;
+    ImageResult result;
+
+    void add(const Graph& graph, const GraphProcess& process);
+    void listen();
+    template <class Message, class F>
+    void hear(const std::string& type, F handler);
+};
+
+void ImageChain::State::add(const Graph& graph, const GraphProcess& process) {
+    const ModuleType* type = find_module_type(process.executable);
+    if (type == nullptr) {
+        throw ConfigurationError(process.place.text() + ": process " + process.name + " runs " + process.executable +
+                                 ", which is not one of goalmouth's modules and cannot run inside `goalmouth detect`");
+    }
+    auto stage = std::make_unique<Stage>();
+    stage->process = process;
+    stage->bus = &hub.endpoint(process.name);
+    stage->context = std::make_unique<ModuleContext>(
+        ModuleContext{*stage->bus, stage->status, process.name, graph.seed, process.channels});
+    stage->module = type->create(*stage->context, process.configuration());
+    for (const ChannelUse& use : type->info.subscribes) {
+        if (use.channel == channels::image) image_channels.insert(process.channel(use.channel));
+        if (use.type == "kinematics_t") kinematics_channels.insert(process.channel(use.channel));
+    }
+    stages.push_back(std::move(stage));
+}
+
+/// Subscribes once to each channel of that type.
+template <class Message, class F>
+void ImageChain::State::hear(const std::string& type, F handler) {
+    std::set<std::string> names;
+    for (const auto& stage : stages) {
+        for (const ChannelUse& use : stage->process.description.info.publishes) {
+            if (use.type == type) names.insert(stage->process.channel(use.channel));
+        }
+    }
+    for (const std::string& name : names) subscribe<Message>(hub.endpoint("results"), name, handler);
+}
+
+void ImageChain::State::listen() {
+    hear<border_t>("border_t", [this](const border_t& m) { result.border = from_message(m); });
+    hear<candidates_t>("candidates_t", [this](const candidates_t& m) { result.candidates = from_message(m); });
+    hear<posts_t>("posts_t", [this](const posts_t& m) {
+        for (const Post& post : from_message(m)) {
+            result.posts.push_back(post);
+            result.detectors.push_back(m.detector);
+        }
+    });
+}
+
+ImageChain::ImageChain(const ImageChainOptions& options) : state_(std::make_unique<State>()) {
+    GraphOptions graph_options;
+    graph_options.settings = options.settings;
+    graph_options.describe = describe_module;
+    const Graph graph = load_graph(options.graph, graph_options);
+    std::vector<GraphProcess> stages = stages_to_posts(graph);
+    if (stages.empty()) throw ConfigurationError(graph.file.string() + ": no process of this graph finds goalposts");
+    override_parameter(stages, "colours", options.colours, "--colours");
+    override_parameter(stages, "field", options.field, "--field");
+
+    const fs::path camera = options.camera.empty() ? camera_of(graph) : options.camera;
+    if (!camera.empty()) state_->camera = load_parameters<Intrinsics>(camera);
+    state_->T_BC = options.T_BC;
+    for (const GraphProcess& process : stages) state_->add(graph, process);
+    state_->listen();
+}
+
+ImageChain::~ImageChain() = default;
+
+ImageResult ImageChain::run(YuyvView image) {
+    State& s = *state_;
+    s.result = {};
+    s.result.camera = scaled_to(s.camera, image.width, image.height);
+    s.utime += 1'000'000;
+    std::vector<std::chrono::nanoseconds> before;
+    for (const auto& stage : s.stages) before.push_back(stage->bus->time_spent());
+
+    MemoryBus& source = s.hub.endpoint("picture");
+    if (s.T_BC) {
+        for (const auto& channel : s.kinematics_channels) publish(source, channel, kinematics_message(*s.T_BC, s.utime, 0));
+    }
+    const image_t message = image_message(image, s.result.camera, s.utime);
+    for (const auto& channel : s.image_channels) publish(source, channel, message);
+    s.hub.run_until_idle();
+
+    for (std::size_t i = 0; i < s.stages.size(); ++i) {
+        const std::chrono::duration<double, std::milli> spent = s.stages[i]->bus->time_spent() - before[i];
+        s.result.milliseconds[s.stages[i]->process.name] = spent.count();
+    }
+    return std::move(s.result);
+}
+
+std::vector<std::string> ImageChain::stages() const {
+    std::vector<std::string> names;
+    for (const auto& stage : state_->stages) names.push_back(stage->process.name);
+    return names;
+}
+
+}  // namespace goalmouth

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include "core/detection/post.h"
+#include "core/extraction/border.h"
+#include "core/extraction/candidates.h"
+
+namespace goalmouth {
+
+// What was found, drawn into the picture it was found in (BGR, 8 bits). Line widths and letters grow with the picture.
+
+/// The field's border, with its points.
+void draw_border(cv::Mat& picture, const FieldBorder& border);
+
+/// Candidate segments as faint lines, left and right edge points as dots in two colours.
+void draw_candidates(cv::Mat& picture, const Candidates& candidates);
+
+/// Each post's outline, an edge that was not seen dashed, with distance and side beside it.
+void draw_posts(cv::Mat& picture, const std::vector<Post>& posts);
+
+}  // namespace goalmouth
