@@ -4,7 +4,8 @@
 
 namespace goalmouth {
 
-border_t to_message(const FieldBorder& border, std::int64_t utime, std::int64_t seq, const Intrinsics& camera) {
+border_t to_message(const FieldBorder& border, std::int64_t utime, std::int64_t seq,
+                    const Intrinsics& camera) {
     border_t m{};
     m.utime = utime;
     m.seq = seq;

@@ -1,8 +1,8 @@
 #include "core/conversion/candidates.h"
 
-#include <vector>
-
 #include "core/conversion/intrinsics.h"
+
+#include <vector>
 
 namespace goalmouth {
 namespace {
@@ -23,8 +23,8 @@ std::vector<Item> thinned(const std::vector<Item>& items, std::size_t budget, st
 
 }  // namespace
 
-candidates_t to_message(const Candidates& candidates, std::int64_t utime, std::int64_t seq, const Intrinsics& camera,
-                        std::size_t limit) {
+candidates_t to_message(const Candidates& candidates, std::int64_t utime, std::int64_t seq,
+                        const Intrinsics& camera, std::size_t limit) {
     candidates_t m{};
     m.utime = utime;
     m.seq = seq;
@@ -58,10 +58,13 @@ Candidates from_message(const candidates_t& m) {
     candidates.width = m.intrinsics.width;
     candidates.height = m.intrinsics.height;
     for (std::size_t i = 0; i < m.line.size(); ++i) {
-        candidates.segments.push_back({static_cast<Orientation>(m.orientation[i]), m.line[i], m.start[i], m.end[i]});
+        candidates.segments.push_back(
+            {static_cast<Orientation>(m.orientation[i]), m.line[i], m.start[i], m.end[i]});
     }
-    for (std::size_t i = 0; i < m.left_x.size(); ++i) candidates.left_edges.emplace_back(m.left_x[i], m.left_y[i]);
-    for (std::size_t i = 0; i < m.right_x.size(); ++i) candidates.right_edges.emplace_back(m.right_x[i], m.right_y[i]);
+    for (std::size_t i = 0; i < m.left_x.size(); ++i)
+        candidates.left_edges.emplace_back(m.left_x[i], m.left_y[i]);
+    for (std::size_t i = 0; i < m.right_x.size(); ++i)
+        candidates.right_edges.emplace_back(m.right_x[i], m.right_y[i]);
     return candidates;
 }
 

@@ -10,7 +10,9 @@ void put(double (&to)[2], const Eigen::Vector2d& from) {
     to[1] = from.y();
 }
 
-Eigen::Vector2d get(const double (&from)[2]) { return {from[0], from[1]}; }
+Eigen::Vector2d get(const double (&from)[2]) {
+    return {from[0], from[1]};
+}
 
 }  // namespace
 
@@ -48,8 +50,8 @@ Post from_message(const post_t& m) {
     return post;
 }
 
-posts_t to_message(const std::vector<Post>& posts, std::int64_t utime, std::int64_t seq, const Intrinsics& camera,
-                   const std::string& detector) {
+posts_t to_message(const std::vector<Post>& posts, std::int64_t utime, std::int64_t seq,
+                   const Intrinsics& camera, const std::string& detector) {
     posts_t m{};
     m.utime = utime;
     m.seq = seq;

@@ -1,9 +1,9 @@
 #include "core/conversion/segments.h"
 
+#include "core/conversion/intrinsics.h"
+
 #include <cmath>
 #include <vector>
-
-#include "core/conversion/intrinsics.h"
 
 namespace goalmouth {
 namespace {
@@ -11,7 +11,9 @@ namespace {
 constexpr std::size_t line_bytes = 5;
 constexpr std::size_t segment_bytes = 6;
 
-std::size_t bytes_of(const ScanLine& line) { return line_bytes + segment_bytes * static_cast<std::size_t>(line.count); }
+std::size_t bytes_of(const ScanLine& line) {
+    return line_bytes + segment_bytes * static_cast<std::size_t>(line.count);
+}
 
 /// The lines that fit into `budget` bytes: `kept` of `all`, evenly spread, as many as possible.
 std::vector<ScanLine> lines_that_fit(const std::vector<ScanLine>& all, std::size_t budget) {
@@ -37,8 +39,8 @@ std::int8_t hundredths(const Segment& s) {
 
 }  // namespace
 
-segments_t to_message(const Segments& segments, std::int64_t utime, std::int64_t seq, const Intrinsics& camera,
-                      const std::string& table, std::size_t limit) {
+segments_t to_message(const Segments& segments, std::int64_t utime, std::int64_t seq,
+                      const Intrinsics& camera, const std::string& table, std::size_t limit) {
     segments_t m{};
     m.utime = utime;
     m.seq = seq;
@@ -70,7 +72,8 @@ Segments from_message(const segments_t& m) {
     segments.height = m.intrinsics.height;
     int first = 0;
     for (std::size_t i = 0; i < m.line_position.size(); ++i) {
-        segments.lines.push_back({static_cast<Orientation>(m.line_orientation[i]), m.line_position[i], first, m.line_count[i]});
+        segments.lines.push_back(
+            {static_cast<Orientation>(m.line_orientation[i]), m.line_position[i], first, m.line_count[i]});
         first += m.line_count[i];
     }
     for (std::size_t i = 0; i < m.start.size(); ++i) {

@@ -61,14 +61,17 @@ std::optional<Post> cut_post(const EdgeLine& edge, Side side, const Candidates& 
 }  // namespace
 
 std::vector<Post> posts_with_one_edge(const std::vector<EdgeLine>& left, const std::vector<EdgeLine>& right,
-                                      const Candidates& candidates, double near, const CutPostParameters& parameters) {
+                                      const Candidates& candidates, double near,
+                                      const CutPostParameters& parameters) {
     std::vector<Post> posts;
     if (!parameters.report) return posts;
     for (const EdgeLine& edge : left) {
-        if (const auto post = cut_post(edge, Side::left, candidates, near, parameters)) posts.push_back(*post);
+        if (const auto post = cut_post(edge, Side::left, candidates, near, parameters))
+            posts.push_back(*post);
     }
     for (const EdgeLine& edge : right) {
-        if (const auto post = cut_post(edge, Side::right, candidates, near, parameters)) posts.push_back(*post);
+        if (const auto post = cut_post(edge, Side::right, candidates, near, parameters))
+            posts.push_back(*post);
     }
     return posts;
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <vector>
-
 #include "core/detection/edge_lines.h"
 #include "core/detection/post.h"
 #include "core/extraction/candidates.h"
 #include "core/parameters/parameters.h"
+
+#include <vector>
 
 namespace goalmouth {
 
@@ -17,19 +17,25 @@ struct CutPostParameters {
 
 template <class Visitor>
 void describe_parameters(Visitor& v, CutPostParameters& p) {
-    v("report", p.report, "report posts that the image's left or right border cuts (ours; the paper knows whole posts only)");
-    v("share", p.share, Range{0, 1}, "1", "share of the rows along the one visible edge, or of the image's rows, in which the post reaches the border");
-    v("least_aspect", p.least_aspect, Range{0, 1000}, "1", "least length of a post with one visible edge over its visible width");
+    v("report", p.report,
+      "report posts that the image's left or right border cuts (ours; the paper knows whole posts only)");
+    v("share", p.share, Range{0, 1}, "1",
+      "share of the rows along the one visible edge, or of the image's rows, in which the post reaches the "
+      "border");
+    v("least_aspect", p.least_aspect, Range{0, 1000}, "1",
+      "least length of a post with one visible edge over its visible width");
 }
 
-/// Posts of which one side edge lies outside the image: an edge line without a partner, beside which the post's colour goes on to
-/// the image's border in at least `share` of the rows. The missing edge is put on the border, flags say so; corners, supports and
-/// flags are set, measurements are not. `near` [px]: how far a segment's end may lie from the line it belongs to.
+/// Posts of which one side edge lies outside the image: an edge line without a partner, beside which the
+/// post's colour goes on to the image's border in at least `share` of the rows. The missing edge is put on
+/// the border, flags say so; corners, supports and flags are set, measurements are not. `near` [px]: how far
+/// a segment's end may lie from the line it belongs to.
 std::vector<Post> posts_with_one_edge(const std::vector<EdgeLine>& left, const std::vector<EdgeLine>& right,
-                                      const Candidates& candidates, double near, const CutPostParameters& parameters);
+                                      const Candidates& candidates, double near,
+                                      const CutPostParameters& parameters);
 
-/// A post so close that neither side edge is in the image: segments from border to border over at least `share` of the image's
-/// height. Empty, or one post with the image's corners.
+/// A post so close that neither side edge is in the image: segments from border to border over at least
+/// `share` of the image's height. Empty, or one post with the image's corners.
 std::vector<Post> post_that_fills_image(const Candidates& candidates, const CutPostParameters& parameters);
 
 }  // namespace goalmouth

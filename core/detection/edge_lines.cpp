@@ -13,7 +13,9 @@ struct LinePrimitive {
     static std::optional<LinePrimitive> through(std::span<const Eigen::Vector2d> sample) {
         return wrap(line_through(sample[0], sample[1]));
     }
-    static std::optional<LinePrimitive> fit(std::span<const Eigen::Vector2d> points) { return wrap(fit_line(points)); }
+    static std::optional<LinePrimitive> fit(std::span<const Eigen::Vector2d> points) {
+        return wrap(fit_line(points));
+    }
     double distance(const Eigen::Vector2d& p) const { return line.distance(p); }
 
     Line line;
@@ -27,13 +29,15 @@ struct LinePrimitive {
 
 }  // namespace
 
-std::vector<EdgeLine> find_lines(const std::vector<Eigen::Vector2d>& points, const RansacParameters& parameters, Random& random) {
+std::vector<EdgeLine> find_lines(const std::vector<Eigen::Vector2d>& points,
+                                 const RansacParameters& parameters, Random& random) {
     std::vector<EdgeLine> lines;
     for (const auto& [primitive, consensus] : find_primitives<LinePrimitive>(points, parameters, random)) {
         double squares = 0.0;
         for (const auto& p : consensus) squares += std::pow(primitive.line.signed_distance(p), 2);
         const double count = static_cast<double>(consensus.size());
-        lines.push_back({segment_on_line(primitive.line, consensus), static_cast<int>(consensus.size()), std::sqrt(squares / count)});
+        lines.push_back({segment_on_line(primitive.line, consensus), static_cast<int>(consensus.size()),
+                         std::sqrt(squares / count)});
     }
     return lines;
 }

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <vector>
-
-#include <Eigen/Core>
-
 #include "core/detection/primitive_ransac.h"
 #include "core/geometry/line.h"
 #include "core/random/random.h"
+
+#include <vector>
+
+#include <Eigen/Core>
 
 namespace goalmouth {
 
@@ -17,7 +17,9 @@ struct EdgeLine {
     double rms = 0.0;     // px, of the points' distances from the line
 };
 
-/// Up to M_max lines among edge points, the best supported first found first.
-std::vector<EdgeLine> find_lines(const std::vector<Eigen::Vector2d>& points, const RansacParameters& parameters, Random& random);
+/// Up to M_max lines among edge points; each is the best supported one found among the points the former
+/// left.
+std::vector<EdgeLine> find_lines(const std::vector<Eigen::Vector2d>& points,
+                                 const RansacParameters& parameters, Random& random);
 
 }  // namespace goalmouth

@@ -22,9 +22,8 @@ std::vector<CandidateSegment> without_outsized(const std::vector<CandidateSegmen
     const double mean = sum / count;
     const double deviation = std::sqrt(std::max(0.0, squares / count - mean * mean));
     std::vector<CandidateSegment> kept;
-    std::copy_if(segments.begin(), segments.end(), std::back_inserter(kept), [&](const CandidateSegment& s) {
-        return s.length() <= std::max(limit * deviation, mean);
-    });
+    std::copy_if(segments.begin(), segments.end(), std::back_inserter(kept),
+                 [&](const CandidateSegment& s) { return s.length() <= std::max(limit * deviation, mean); });
     return kept;
 }
 

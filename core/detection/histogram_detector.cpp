@@ -1,8 +1,8 @@
 #include "core/detection/histogram_detector.h"
 
-#include <algorithm>
-
 #include "core/detection/histogram.h"
+
+#include <algorithm>
 
 namespace goalmouth {
 namespace {
@@ -12,7 +12,8 @@ struct Box {
     double left, right, top, bottom;
 
     static Box around(const CandidateSegment& s) {
-        if (s.orientation == Orientation::horizontal) return {s.start - 0.5, s.end + 0.5, s.line - 0.5, s.line + 0.5};
+        if (s.orientation == Orientation::horizontal)
+            return {s.start - 0.5, s.end + 0.5, s.line - 0.5, s.line + 0.5};
         return {s.line - 0.5, s.line + 0.5, s.start - 0.5, s.end + 0.5};
     }
     void add(const Box& other) {
@@ -40,14 +41,16 @@ Post post_from(const Box& box, int segments, int image_width) {
 
 }  // namespace
 
-std::vector<Post> detect_posts_by_histogram(const Candidates& candidates, const Intrinsics& camera, double diameter,
-                                            const HistogramParameters& parameters) {
+std::vector<Post> detect_posts_by_histogram(const Candidates& candidates, const Intrinsics& camera,
+                                            double diameter, const HistogramParameters& parameters) {
     const auto segments = without_outsized(candidates.segments, parameters.length_limit);
     if (segments.empty()) return {};
     const Histogram histogram = build_histogram(segments, candidates.width, parameters.bins);
 
+    const double area = static_cast<double>(candidates.width) * candidates.height / (640.0 * 480.0);
+
     std::vector<Post> posts;
-    for (const PeakGroup& group : group_peaks(histogram.counts, parameters.peak_threshold)) {
+    for (const PeakGroup& group : group_peaks(histogram.counts, parameters.peak_threshold * area)) {
         std::vector<Box> boxes;
         for (const CandidateSegment& s : segments) {
             const std::size_t bin = histogram.bin(s.centre().x());
@@ -56,7 +59,8 @@ std::vector<Post> detect_posts_by_histogram(const Candidates& candidates, const 
         Box box = boxes.front();
         for (const Box& b : boxes) box.add(b);
         Post post = post_from(box, static_cast<int>(boxes.size()), candidates.width);
-        measure_post(post, camera, diameter, parameters.edge_sigma, parameters.edge_sigma, parameters.measurement);
+        measure_post(post, camera, diameter, parameters.edge_sigma, parameters.edge_sigma,
+                     parameters.measurement);
         posts.push_back(post);
     }
     assign_sides(posts, candidates, parameters.sides);

@@ -1,10 +1,10 @@
 #include "core/detection/measurement.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/detection/pairing.h"
 #include "core/geometry/line.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace goalmouth {
 namespace {
@@ -17,9 +17,11 @@ LineSegment edge(const Eigen::Vector2d& top, const Eigen::Vector2d& base) {
 std::uint32_t cut_flags(const Post& post, const Intrinsics& camera, double margin) {
     std::uint32_t flags = 0;
     if (std::min(post.left_top.y(), post.right_top.y()) < margin) flags |= post_flag::cut_top;
-    if (std::max(post.left_base.y(), post.right_base.y()) > camera.height - 1 - margin) flags |= post_flag::cut_bottom;
+    if (std::max(post.left_base.y(), post.right_base.y()) > camera.height - 1 - margin)
+        flags |= post_flag::cut_bottom;
     if (std::min(post.left_top.x(), post.left_base.x()) < margin) flags |= post_flag::cut_left;
-    if (std::max(post.right_top.x(), post.right_base.x()) > camera.width - 1 - margin) flags |= post_flag::cut_right;
+    if (std::max(post.right_top.x(), post.right_base.x()) > camera.width - 1 - margin)
+        flags |= post_flag::cut_right;
     return flags;
 }
 
@@ -30,8 +32,8 @@ double pixel_angular_width(const Intrinsics& camera, const Eigen::Vector2d& axis
     return 1.0 / std::hypot(along.y() / camera.fx, along.x() / camera.fy);
 }
 
-void measure_post(Post& post, const Intrinsics& camera, double diameter, double left_sigma, double right_sigma,
-                  const MeasurementParameters& parameters) {
+void measure_post(Post& post, const Intrinsics& camera, double diameter, double left_sigma,
+                  double right_sigma, const MeasurementParameters& parameters) {
     constexpr double unknown_distance_sigma = 10.0;  // m
     constexpr double least_width = 1e-3;             // px
     post.flags |= cut_flags(post, camera, parameters.border_margin);

@@ -17,7 +17,8 @@ bool plausible(const PairMeasures& m, double width_times_distance, const Pairing
     const double width = std::abs(m.width);
     if (m.length < parameters.least_aspect * width) return false;
     if (parameters.farthest <= 0.0) return true;
-    return width_times_distance >= parameters.nearest * width && width_times_distance <= parameters.farthest * width;
+    return width_times_distance >= parameters.nearest * width &&
+           width_times_distance <= parameters.farthest * width;
 }
 
 }  // namespace
@@ -40,7 +41,8 @@ double width_across(const LineSegment& left, const LineSegment& right) {
     return across.dot(*b - *a);
 }
 
-PairMeasures compare_edges(const EdgeLine& left, const EdgeLine& right, int image_width, int image_height, double permissiveness) {
+PairMeasures compare_edges(const EdgeLine& left, const EdgeLine& right, int image_width, int image_height,
+                           double permissiveness) {
     const double l1 = left.segment.length();
     const double l2 = right.segment.length();
     PairMeasures m;
@@ -48,8 +50,8 @@ PairMeasures compare_edges(const EdgeLine& left, const EdgeLine& right, int imag
     m.angle_bound = permissiveness * std::numbers::pi / 2.0;
     m.length_difference = std::abs(l1 - l2);
     m.length_bound = permissiveness * std::max(l1, l2);
-    m.endpoint_distance =
-        0.5 * (nearest_end(left.segment.upper, right.segment) + nearest_end(left.segment.lower, right.segment));
+    m.endpoint_distance = 0.5 * (nearest_end(left.segment.upper, right.segment) +
+                                 nearest_end(left.segment.lower, right.segment));
     m.endpoint_bound = permissiveness * std::hypot(image_width, image_height);
     m.support_difference = std::abs(left.support - right.support);
     m.support_bound = permissiveness * std::max(left.support, right.support);
@@ -58,9 +60,11 @@ PairMeasures compare_edges(const EdgeLine& left, const EdgeLine& right, int imag
     return m;
 }
 
-std::pair<EdgeLine, EdgeLine> common_rows(const EdgeLine& left, const EdgeLine& right, int image_width, double margin) {
+std::pair<EdgeLine, EdgeLine> common_rows(const EdgeLine& left, const EdgeLine& right, int image_width,
+                                          double margin) {
     const auto cut = [&](const LineSegment& s) {
-        return std::min(s.upper.x(), s.lower.x()) < margin || std::max(s.upper.x(), s.lower.x()) > image_width - 1 - margin;
+        return std::min(s.upper.x(), s.lower.x()) < margin ||
+               std::max(s.upper.x(), s.lower.x()) > image_width - 1 - margin;
     };
     const double top = std::max(left.segment.upper.y(), right.segment.upper.y());
     const double base = std::min(left.segment.lower.y(), right.segment.lower.y());
@@ -105,9 +109,12 @@ std::vector<EdgePair> pair_edges(const std::vector<EdgeLine>& left, const std::v
     for (std::size_t i = 0; i < left.size(); ++i) {
         for (std::size_t j = 0; j < right.size(); ++j) {
             const auto [l, r] = common_rows(left[i], right[j], candidates.width, parameters.cut_margin);
-            const PairMeasures m = compare_edges(l, r, candidates.width, candidates.height, parameters.permissiveness);
+            const PairMeasures m =
+                compare_edges(l, r, candidates.width, candidates.height, parameters.permissiveness);
             if (!m.similar() || !plausible(m, width_times_distance, parameters)) continue;
-            if (parameters.largest_hole < 1.0 && largest_hole(l.segment, r.segment, candidates) > parameters.largest_hole) continue;
+            if (parameters.largest_hole < 1.0 &&
+                largest_hole(l.segment, r.segment, candidates) > parameters.largest_hole)
+                continue;
             acceptable.push_back({{i, j}, m.dissimilarity()});
         }
     }

@@ -30,8 +30,8 @@ struct Post {
     std::uint32_t flags = 0;  // post_flag bits
     PostSide side = PostSide::unknown;
     double width_px = 0.0;
-    double distance_m = 0.0;   // camera to post by its width; 0 with no_distance
-    double bearing_rad = 0.0;  // in frame C, + left
+    double distance_m = 0.0;                               // camera to post by its width; 0 with no_distance
+    double bearing_rad = 0.0;                              // in frame C, + left
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  // of (distance [m], bearing [rad])
     int support_left = 0;
     int support_right = 0;

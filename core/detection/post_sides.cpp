@@ -7,14 +7,16 @@ namespace goalmouth {
 namespace {
 
 /// Lies a crossbar to the left or right of the post's top?
-PostSide side_by_crossbar(const Post& post, const Candidates& candidates, const PostSideParameters& parameters) {
+PostSide side_by_crossbar(const Post& post, const Candidates& candidates,
+                          const PostSideParameters& parameters) {
     const double top = std::min(post.left_top.y(), post.right_top.y());
     const double reach = 1.5 * post.width_px;
     const double length = parameters.crossbar_length * post.width_px;
     bool to_left = false;
     bool to_right = false;
     for (const CandidateSegment& s : candidates.segments) {
-        if (s.orientation != Orientation::horizontal || s.line < top - reach || s.line > top + reach) continue;
+        if (s.orientation != Orientation::horizontal || s.line < top - reach || s.line > top + reach)
+            continue;
         if (s.end < post.left_top.x() || s.start > post.right_top.x()) continue;
         to_left |= s.start < post.left_top.x() - length;
         to_right |= s.end > post.right_top.x() + length;
@@ -23,14 +25,18 @@ PostSide side_by_crossbar(const Post& post, const Candidates& candidates, const 
     return to_right ? PostSide::left : PostSide::right;
 }
 
-bool opposite(PostSide found, PostSide claimed) { return found != PostSide::unknown && found != claimed; }
+bool opposite(PostSide found, PostSide claimed) {
+    return found != PostSide::unknown && found != claimed;
+}
 
 }  // namespace
 
-void assign_sides(std::vector<Post>& posts, const Candidates& candidates, const PostSideParameters& parameters) {
+void assign_sides(std::vector<Post>& posts, const Candidates& candidates,
+                  const PostSideParameters& parameters) {
     std::vector<Post*> whole;
     for (Post& post : posts) {
-        post.side = post.has(post_flag::fills_image) ? PostSide::unknown : side_by_crossbar(post, candidates, parameters);
+        post.side = post.has(post_flag::fills_image) ? PostSide::unknown
+                                                     : side_by_crossbar(post, candidates, parameters);
         if (!post.has(post_flag::left_edge_missing | post_flag::right_edge_missing)) whole.push_back(&post);
     }
     if (posts.size() != 2 || whole.size() != 2) return;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "core/parameters/parameters.h"
+#include "core/random/random.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -10,9 +13,6 @@
 #include <vector>
 
 #include <Eigen/Core>
-
-#include "core/parameters/parameters.h"
-#include "core/random/random.h"
 
 namespace goalmouth {
 
@@ -26,10 +26,13 @@ struct RansacParameters {
 
 template <class Visitor>
 void describe_parameters(Visitor& v, RansacParameters& p) {
-    v("attempts", p.attempts, Range{1, 1000000}, "1", "hypotheses drawn for each primitive (k; the 2013 robot code: 100)");
+    v("attempts", p.attempts, Range{1, 1000000}, "1",
+      "hypotheses drawn for each primitive (k; the 2013 robot code: 100)");
     v("minimum_points", p.minimum_points, Range{2, 1000000}, "1", "points a primitive needs (n)");
-    v("inlier_distance", p.inlier_distance, above(0), "px", "points nearer than this agree with a primitive (d)");
-    v("maximum_models", p.maximum_models, Range{1, 1000}, "1", "primitives sought in each set of points (M_max)");
+    v("inlier_distance", p.inlier_distance, above(0), "px",
+      "points nearer than this agree with a primitive (d)");
+    v("maximum_models", p.maximum_models, Range{1, 1000}, "1",
+      "primitives sought in each set of points (M_max)");
 }
 
 /// A primitive and the points that agree with it.
@@ -41,24 +44,26 @@ struct Consensus {
 
 /// Algorithm 2 of the paper: RANSAC for several models in one set of points, for any primitive.
 ///
-/// A Primitive has
-///     static constexpr std::size_t sample_size;                                          points that define it
-///     static std::optional<Primitive> through(std::span<const Eigen::Vector2d> sample);  nothing for a degenerate sample
-///     static std::optional<Primitive> fit(std::span<const Eigen::Vector2d> points);      least squares
-///     double distance(const Eigen::Vector2d&) const;                                     px
+/// A Primitive P has
+///
+///     static constexpr std::size_t sample_size;                          points that define one
+///     static std::optional<P> through(std::span<const Eigen::Vector2d>); a sample; nothing if degenerate
+///     static std::optional<P> fit(std::span<const Eigen::Vector2d>);     least squares
+///     double distance(const Eigen::Vector2d&) const;                     px
 ///
 /// Errors in the text, mended by their evident intent:
 ///   * the loop ends when |L| = M_max models are found (the text compares |P_best|);
 ///   * a model is accepted when |P_best| ≥ n (the text tests |P_inliers|, the last hypothesis's set).
-/// And where the text is silent: the sample's points are different ones of the set; a degenerate sample uses up its attempt; of
-/// consensus sets of equal size the first stays; where not one attempt found any inlier (all points equal), the search ends, because
-/// P would never shrink; a consensus set without a least-squares fit is removed like one that is too small.
+/// And where the text is silent: the sample's points are different ones of the set; a degenerate sample uses
+/// up its attempt; of consensus sets of equal size the first stays; where not one attempt found any inlier
+/// (all points equal), the search ends, because P would never shrink; a consensus set without a least-squares
+/// fit is removed like one that is too small.
 template <class Primitive>
-std::vector<Consensus<Primitive>> find_primitives(std::vector<Eigen::Vector2d> points, const RansacParameters& parameters,
-                                                  Random& random) {
+std::vector<Consensus<Primitive>> find_primitives(std::vector<Eigen::Vector2d> points,
+                                                  const RansacParameters& parameters, Random& random) {
     constexpr std::size_t sample_size = Primitive::sample_size;
     const auto minimum = std::max(static_cast<std::size_t>(parameters.minimum_points), sample_size);
-    std::vector<Consensus<Primitive>> found;                                       // L
+    std::vector<Consensus<Primitive>> found;  // L
     std::vector<std::size_t> order;
     while (points.size() >= minimum && found.size() < static_cast<std::size_t>(parameters.maximum_models)) {
         std::vector<char> best(points.size(), 0);  // P_best as a mask over P
@@ -91,7 +96,8 @@ std::vector<Consensus<Primitive>> find_primitives(std::vector<Eigen::Vector2d> p
         std::vector<Eigen::Vector2d> rest;
         for (std::size_t i = 0; i < points.size(); ++i) (best[i] ? consensus : rest).push_back(points[i]);
         if (best_count >= minimum) {
-            if (const auto primitive = Primitive::fit(consensus)) found.push_back({*primitive, std::move(consensus)});
+            if (const auto primitive = Primitive::fit(consensus))
+                found.push_back({*primitive, std::move(consensus)});
         }
         points = std::move(rest);
     }

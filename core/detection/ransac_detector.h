@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/detection/cut_posts.h"
 #include "core/detection/measurement.h"
 #include "core/detection/pairing.h"
@@ -11,6 +9,8 @@
 #include "core/extraction/candidates.h"
 #include "core/geometry/camera.h"
 #include "core/random/random.h"
+
+#include <vector>
 
 namespace goalmouth {
 
@@ -31,10 +31,11 @@ void describe_parameters(Visitor& v, RansacDetectorParameters& p) {
     v.group("sides", p.sides, "which post of its goal");
 }
 
-/// Goalposts by RANSAC (paper, section 4): lines among the left edge points and among the right ones, pairs of lines that satisfy the
-/// rules of a post, whose four end points are its corners. Beyond the paper: posts cut by the image's border, and what is measured.
-/// `diameter` of the posts [m]. From left to right.
-std::vector<Post> detect_posts_by_ransac(const Candidates& candidates, const Intrinsics& camera, double diameter,
-                                         const RansacDetectorParameters& parameters, Random& random);
+/// Goalposts by RANSAC (paper, section 4): lines among the left edge points and among the right ones, pairs
+/// of lines that satisfy the rules of a post, whose four end points are its corners. Beyond the paper: posts
+/// cut by the image's border, and what is measured. `diameter` of the posts [m]. From left to right.
+std::vector<Post> detect_posts_by_ransac(const Candidates& candidates, const Intrinsics& camera,
+                                         double diameter, const RansacDetectorParameters& parameters,
+                                         Random& random);
 
 }  // namespace goalmouth

@@ -1,9 +1,9 @@
 #include "core/extraction/border.h"
 
+#include "core/geometry/convex_hull.h"
+
 #include <algorithm>
 #include <cassert>
-
-#include "core/geometry/convex_hull.h"
 
 namespace goalmouth {
 

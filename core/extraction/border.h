@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/parameters/parameters.h"
+#include "core/segmentation/segments.h"
+
 #include <vector>
 
 #include <Eigen/Core>
-
-#include "core/parameters/parameters.h"
-#include "core/segmentation/segments.h"
 
 namespace goalmouth {
 
@@ -29,9 +29,10 @@ void describe_parameters(Visitor& v, BorderParameters& p) {
       "consecutive pixels of the field's colour that make a column's field begin (the 2013 robot code: 5)");
 }
 
-/// The border of the field: on each vertical scan-line, from the top, the first run of at least green_run pixels of the field's
-/// colour gives a point, its uppermost pixel; the border is the upper convex hull of these points. Columns without such a run give
-/// none. The 2013 robot code looked at every 11th column; here every vertical scan-line takes part.
+/// The border of the field: on each vertical scan-line, from the top, the first run of at least green_run
+/// pixels of the field's colour gives a point, its uppermost pixel; the border is the upper convex hull of
+/// these points. Columns without such a run give none. The 2013 robot code looked at every 11th column; here
+/// every vertical scan-line takes part.
 FieldBorder find_border(const Segments& segments, const BorderParameters& parameters);
 
 }  // namespace goalmouth

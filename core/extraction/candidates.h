@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/segmentation/segments.h"
+
 #include <vector>
 
 #include <Eigen/Core>
-
-#include "core/segmentation/segments.h"
 
 namespace goalmouth {
 
@@ -18,12 +18,13 @@ struct CandidateSegment {
     int length() const { return end - start + 1; }
     Eigen::Vector2d centre() const {
         const double along = 0.5 * (start + end);
-        return orientation == Orientation::horizontal ? Eigen::Vector2d(along, line) : Eigen::Vector2d(line, along);
+        return orientation == Orientation::horizontal ? Eigen::Vector2d(along, line)
+                                                      : Eigen::Vector2d(line, along);
     }
 };
 
-/// What may belong to goalposts in one frame (paper, section 2, step 4). The histogram works on `segments`, RANSAC on the two
-/// edge-point sets: the text's "segment centres" cannot give edges.
+/// What may belong to goalposts in one frame (paper, section 2, step 4). The histogram works on `segments`,
+/// RANSAC on the two edge-point sets: the text's "segment centres" cannot give edges.
 struct Candidates {
     int width = 0;   // px of the image
     int height = 0;  // px of the image

@@ -20,14 +20,16 @@ bool belong_together(const CandidateSegment& a, const Segment& b, const Candidat
     return gap <= parameters.largest_gap || gap <= parameters.gap_share * (a.length() + b.length());
 }
 
-std::vector<Run> runs_on_line(const Segments& all, const ScanLine& line, const CandidateParameters& parameters) {
+std::vector<Run> runs_on_line(const Segments& all, const ScanLine& line,
+                              const CandidateParameters& parameters) {
     const int size = line.orientation == Orientation::horizontal ? all.width : all.height;
     std::vector<Run> runs;
     for (int i = line.first; i < line.first + line.count; ++i) {
         const Segment& s = all.segments[static_cast<std::size_t>(i)];
         if (s.colour != Colour::goal) continue;
         if (runs.empty() || !belong_together(runs.back().segment, s, parameters)) {
-            runs.push_back({{line.orientation, line.position, s.start, s.end}, std::nullopt, std::nullopt, 0});
+            runs.push_back(
+                {{line.orientation, line.position, s.start, s.end}, std::nullopt, std::nullopt, 0});
             if (i > line.first) runs.back().entry = s.transition;
         }
         runs.back().segment.end = s.end;
@@ -46,7 +48,9 @@ std::vector<Run> runs_on_line(const Segments& all, const ScanLine& line, const C
 /// Sets that merge (union-find with path halving).
 class Regions {
   public:
-    explicit Regions(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+    explicit Regions(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    }
     std::size_t find(std::size_t i) {
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;
@@ -57,7 +61,9 @@ class Regions {
     std::vector<std::size_t> parent_;
 };
 
-bool overlap(const CandidateSegment& a, const CandidateSegment& b) { return a.start <= b.end + 1 && b.start <= a.end + 1; }
+bool overlap(const CandidateSegment& a, const CandidateSegment& b) {
+    return a.start <= b.end + 1 && b.start <= a.end + 1;
+}
 
 bool crosses(const CandidateSegment& vertical, const CandidateSegment& horizontal) {
     return vertical.line >= horizontal.start && vertical.line <= horizontal.end &&
@@ -100,9 +106,11 @@ std::vector<Run> in_good_regions(const std::vector<Run>& runs, const FieldBorder
 
 }  // namespace
 
-Candidates extract_candidates(const Segments& segments, const FieldBorder& border, const CandidateParameters& parameters) {
+Candidates extract_candidates(const Segments& segments, const FieldBorder& border,
+                              const CandidateParameters& parameters) {
     std::vector<ScanLine> lines = segments.lines;
-    std::stable_sort(lines.begin(), lines.end(), [](const ScanLine& a, const ScanLine& b) { return a.position < b.position; });
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const ScanLine& a, const ScanLine& b) { return a.position < b.position; });
     std::vector<Run> horizontal;
     std::vector<Run> vertical;
     int row = 0;

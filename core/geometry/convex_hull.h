@@ -6,11 +6,12 @@
 
 namespace goalmouth {
 
-/// Upper convex hull of image points by Andrew's monotone chain (A. M. Andrew, 1979): the chain from the leftmost to the rightmost
-/// point that no point lies above. "Above" is towards smaller y, because image y runs down.
+/// Upper convex hull of image points by Andrew's monotone chain (A. M. Andrew, 1979): the chain from the
+/// leftmost to the rightmost point that no point lies above. "Above" is towards smaller y, because image y
+/// runs down.
 ///
-/// Vertices from left to right, x strictly increasing; points on a hull edge are no vertices. Of points with one x only the
-/// highest counts, so the hull of a vertical set is one point; the hull of nothing is empty.
+/// Vertices from left to right, x strictly increasing; points on a hull edge are no vertices. Of points with
+/// one x only the highest counts, so the hull of a vertical set is one point; the hull of nothing is empty.
 std::vector<Eigen::Vector2d> upper_hull(std::vector<Eigen::Vector2d> points);
 
 }  // namespace goalmouth

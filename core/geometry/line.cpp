@@ -5,7 +5,9 @@
 
 namespace goalmouth {
 
-double Line::distance(const Eigen::Vector2d& p) const { return std::abs(signed_distance(p)); }
+double Line::distance(const Eigen::Vector2d& p) const {
+    return std::abs(signed_distance(p));
+}
 
 std::optional<double> Line::x_at(double y) const {
     if (std::abs(normal.x()) < 1e-12) return std::nullopt;
@@ -15,7 +17,8 @@ std::optional<double> Line::x_at(double y) const {
 Line line_with_normal(const Eigen::Vector2d& normal, const Eigen::Vector2d& p) {
     Line line;
     line.normal = normal.normalized();
-    if (line.normal.x() < 0.0 || (line.normal.x() == 0.0 && line.normal.y() < 0.0)) line.normal = -line.normal;
+    if (line.normal.x() < 0.0 || (line.normal.x() == 0.0 && line.normal.y() < 0.0))
+        line.normal = -line.normal;
     line.offset = line.normal.dot(p);
     return line;
 }

@@ -9,8 +9,8 @@ namespace goalmouth {
 
 /// Straight line of the image plane in normal form: normal · p = offset [px], |normal| = 1.
 ///
-/// The normal points to +x (to +y where the line is horizontal), so for a line that is not horizontal a positive signed distance
-/// means "to the right of it" and direction() runs down the image.
+/// The normal points to +x (to +y where the line is horizontal), so for a line that is not horizontal a
+/// positive signed distance means "to the right of it" and direction() runs down the image.
 struct Line {
     Eigen::Vector2d normal{1.0, 0.0};
     double offset = 0.0;
@@ -39,8 +39,8 @@ Line line_with_normal(const Eigen::Vector2d& normal, const Eigen::Vector2d& p);
 /// Nothing where the points are equal.
 std::optional<Line> line_through(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
-/// Total least squares: the line with the least sum of squared distances. Nothing with fewer than two different points, and
-/// nothing where no direction is better than another (a square's corners).
+/// Total least squares: the line with the least sum of squared distances. Nothing with fewer than two
+/// different points, and nothing where no direction is better than another (a square's corners).
 std::optional<Line> fit_line(std::span<const Eigen::Vector2d> points);
 
 /// Angle between two lines, 0 … π/2 [rad].

@@ -39,7 +39,7 @@ struct FilterParameters {
     double resample_below = 0.5;
     PriorParameters initial;
     MotionParameters motion;
-    SensorParameters sensor;
+    SensorModelParameters sensor;
     RecoveryParameters recovery;
     ClusterParameters clusters;
 };

@@ -32,7 +32,7 @@ double density(const PostObservation& z, const Expected& h) {
 
 }  // namespace
 
-SensorModel::SensorModel(const Field& field, const SensorParameters& parameters)
+SensorModel::SensorModel(const Field& field, const SensorModelParameters& parameters)
     : parameters_(parameters),
       posts_(field.posts()),
       carpet_x_(field.length / 2.0 + field.border_strip),

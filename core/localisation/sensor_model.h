@@ -11,7 +11,7 @@
 namespace goalmouth {
 
 /// How posts are told apart and how much they weigh.
-struct SensorParameters {
+struct SensorModelParameters {
     double clutter_share = 0.1;
     double clutter_azimuth_range = 1.05;
     double clutter_inverse_distance_range = 2.0;
@@ -21,7 +21,7 @@ struct SensorParameters {
 };
 
 template <class Visitor>
-void describe_parameters(Visitor& v, SensorParameters& p) {
+void describe_parameters(Visitor& v, SensorModelParameters& p) {
     v("clutter_share", p.clutter_share, Range{0.001, 0.9}, "1",
       "observed posts that are no post of the field");
     v("clutter_azimuth_range", p.clutter_azimuth_range, Range{0.1, 6.2832}, "rad",
@@ -50,7 +50,7 @@ void describe_parameters(Visitor& v, SensorParameters& p) {
 /// sum is built observation by observation over sets of posts taken.
 class SensorModel {
   public:
-    SensorModel(const Field& field, const SensorParameters& parameters);
+    SensorModel(const Field& field, const SensorModelParameters& parameters);
 
     /// Observations of a frame that are weighed; more count as clutter.
     static constexpr std::size_t most_observations = 6;
@@ -79,7 +79,7 @@ class SensorModel {
     static bool is_side(std::size_t post, PostSide side);
 
   private:
-    SensorParameters parameters_;
+    SensorModelParameters parameters_;
     std::array<Eigen::Vector2d, 4> posts_;
     double carpet_x_;
     double carpet_y_;

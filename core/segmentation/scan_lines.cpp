@@ -28,7 +28,8 @@ ScanLayout image_layout(int width, int height, const ScanLineParameters& paramet
 
 ScanLayout field_layout(const Intrinsics& camera, const std::optional<Eigen::Isometry3d>& T_BC,
                         const ScanLineParameters& parameters) {
-    if (!T_BC || camera.width <= 0 || camera.height <= 0) return image_layout(camera.width, camera.height, parameters);
+    if (!T_BC || camera.width <= 0 || camera.height <= 0)
+        return image_layout(camera.width, camera.height, parameters);
     std::optional<double> nearest = ground_distance(camera, *T_BC, camera.height - 1);
     if (!nearest) return image_layout(camera.width, camera.height, parameters);
 

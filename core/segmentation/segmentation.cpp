@@ -1,14 +1,15 @@
 #include "core/segmentation/segmentation.h"
 
+#include "core/segmentation/transition.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "core/segmentation/transition.h"
 
 namespace goalmouth {
 namespace {
 
-/// A segment that starts on column number `column` of the layout; its end is where the column's next one starts.
+/// A segment that starts on column number `column` of the layout; its end is where the column's next one
+/// starts.
 struct ColumnStart {
     int column;
     std::int16_t y;
@@ -29,7 +30,8 @@ void append_row(YuyvView image, const ColourTable& table, int y, Segments& out) 
 }
 
 /// The segment starts of all columns, met in one walk down the frame's rows.
-std::vector<ColumnStart> walk_columns(YuyvView image, const ColourTable& table, const std::vector<int>& columns) {
+std::vector<ColumnStart> walk_columns(YuyvView image, const ColourTable& table,
+                                      const std::vector<int>& columns) {
     std::vector<ColumnStart> starts;
     std::vector<Colour> current(columns.size(), Colour::unclassified);
     for (int y = 0; y < image.height; ++y) {
@@ -43,7 +45,8 @@ std::vector<ColumnStart> walk_columns(YuyvView image, const ColourTable& table, 
     return starts;
 }
 
-void append_columns(YuyvView image, const ColourTable& table, const std::vector<int>& columns, Segments& out) {
+void append_columns(YuyvView image, const ColourTable& table, const std::vector<int>& columns,
+                    Segments& out) {
     const std::vector<ColumnStart> starts = walk_columns(image, table, columns);
     const std::size_t first_line = out.lines.size();
     for (const int x : columns) out.lines.push_back({Orientation::vertical, x, 0, 0});
@@ -81,7 +84,8 @@ void locate_transitions(YuyvView image, Segments& out) {
             segment.transition = nominal;
             if (i == 0) continue;
             const TransitionWindow window{reach(out.segments[at - 1]), reach(segment)};
-            const float found = locate_transition(image, line.orientation, line.position, segment.start, window);
+            const float found =
+                locate_transition(image, line.orientation, line.position, segment.start, window);
             const float offset = std::clamp(found - nominal, -1.27F, 1.27F);
             segment.transition = nominal + std::round(100.F * offset) / 100.F;
         }

@@ -4,7 +4,8 @@
 
 namespace goalmouth {
 
-float locate_transition(YuyvView image, Orientation orientation, int line, int boundary, TransitionWindow window) {
+float locate_transition(YuyvView image, Orientation orientation, int line, int boundary,
+                        TransitionWindow window) {
     const bool along_row = orientation == Orientation::horizontal;
     const int length = along_row ? image.width : image.height;
     int first = std::max(0, boundary - window.before);

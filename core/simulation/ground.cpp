@@ -232,14 +232,20 @@ void GroundPainter::paint(int row, const LightRow& out) {
     }
     // As if all were carpet; then what is not.
     float* shade = shade_.data();
-    for (int u = 0; u < width; ++u) shade[u] = static_cast<float>(mottle_[static_cast<std::size_t>(spot[u])]);
+    const std::int8_t* mottle = mottle_.data();
+    const float mottle_scale = mottle_scale_;
+    const Rgb carpet = carpet_;
+    float* red = out.r;
+    float* green = out.g;
+    float* blue = out.b;
+    for (int u = 0; u < width; ++u) shade[u] = static_cast<float>(mottle[spot[u]]);
     for (int u = 0; u < width; ++u) {
         const float r = radius[u] > tile_spot ? radius[u] : tile_spot;
-        shade[u] = 1.0F + mottle_scale_ * shade[u] * (tile_spot / r);
+        shade[u] = 1.0F + mottle_scale * shade[u] * (tile_spot / r);
     }
-    for (int u = 0; u < width; ++u) out.r[u] = carpet_.r * shade[u];
-    for (int u = 0; u < width; ++u) out.g[u] = carpet_.g * shade[u];
-    for (int u = 0; u < width; ++u) out.b[u] = carpet_.b * shade[u];
+    for (int u = 0; u < width; ++u) red[u] = carpet.r * shade[u];
+    for (int u = 0; u < width; ++u) green[u] = carpet.g * shade[u];
+    for (int u = 0; u < width; ++u) blue[u] = carpet.b * shade[u];
 
     const auto parts = layout_.strokes.size() + layout_.rings.size();
     const std::uint32_t every_part = ((1U << parts) - 1U) | carpet_edge_bit;

@@ -18,11 +18,10 @@ constexpr std::uint32_t noise_pairs = 1U << 15U;
 
 /// Rounds to levels of 0…255.
 void quantise(const float* values, std::size_t count, float offset, std::int32_t* levels) {
+    const float rounding = offset + 0.5F;
     for (std::size_t i = 0; i < count; ++i) {
-        float v = values[i] + offset;
-        v = v > 0.0F ? v : 0.0F;
-        v = v < 255.0F ? v : 255.0F;
-        levels[i] = static_cast<std::int32_t>(v + 0.5F);
+        const auto level = static_cast<std::int32_t>(values[i] + rounding);
+        levels[i] = std::min(std::max(level, 0), 255);
     }
 }
 
@@ -151,7 +150,8 @@ void Sensor::blur_along(int slot) {
     float* blurred_cb = row + width;
     float* blurred_cr = blurred_cb + pairs;
     // Both kernels are symmetric: two taps at a time.
-    for (std::size_t i = 0; i < width; ++i) row[i] = kernel_[reach] * luma[i];
+    const float middle = kernel_[reach];
+    for (std::size_t i = 0; i < width; ++i) row[i] = middle * luma[i];
     for (std::size_t k = 0; k < reach; ++k) {
         const float weight = kernel_[k];
         const float* one = luma_.data() + k;
@@ -196,14 +196,15 @@ void Sensor::write_row(int row) {
     float* cb = sum + width;
     float* cr = cb + pairs;
     if (noise_ > 0.0F) {
+        const float noise = noise_;
         const std::size_t start = noise_offset_[static_cast<std::size_t>(row)];
         const float* ny = noise_y_.data() + 2 * start;
         const float* ncb = noise_cb_.data() + start;
         const float* ncr = noise_cr_.data() + start;
-        for (std::size_t i = 0; i < width; ++i) y[i] += noise_ * ny[i];
+        for (std::size_t i = 0; i < width; ++i) y[i] += noise * ny[i];
         for (std::size_t i = 0; i < pairs; ++i) {
-            cb[i] += noise_ * ncb[i];
-            cr[i] += noise_ * ncr[i];
+            cb[i] += noise * ncb[i];
+            cr[i] += noise * ncr[i];
         }
     }
     std::int32_t* levels = levels_.data();

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/detection/histogram_detector.h"
+#include "core/process/module.h"
+
 #include <string>
 
 #include <goalmouth/candidates_t.hpp>
-
-#include "core/detection/histogram_detector.h"
-#include "core/process/module.h"
 
 namespace goalmouth {
 

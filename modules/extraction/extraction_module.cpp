@@ -14,7 +14,8 @@ ModuleInfo ExtractionModule::info() {
             "Finds the field border and what may belong to goalposts.",
             {{channels::segments, "segments_t", "colour segments of each frame"}},
             {{channels::border, "border_t", "field border of each frame"},
-             {channels::candidates, "candidates_t", "segments and edge points of each frame that may belong to goalposts"}}};
+             {channels::candidates, "candidates_t",
+              "segments and edge points of each frame that may belong to goalposts"}}};
 }
 
 ExtractionModule::ExtractionModule(ModuleContext& context, const Parameters& parameters)
@@ -27,9 +28,11 @@ void ExtractionModule::extract(const segments_t& message) {
     const Segments segments = from_message(message);
     const Intrinsics camera = from_message(message.intrinsics);
     const FieldBorder border = find_border(segments, parameters_.border);
-    publish(context_.bus, context_.channel(channels::border), to_message(border, message.utime, message.seq, camera));
+    publish(context_.bus, context_.channel(channels::border),
+            to_message(border, message.utime, message.seq, camera));
     const Candidates candidates = extract_candidates(segments, border, parameters_.candidates);
-    publish(context_.bus, context_.channel(channels::candidates), to_message(candidates, message.utime, message.seq, camera));
+    publish(context_.bus, context_.channel(channels::candidates),
+            to_message(candidates, message.utime, message.seq, camera));
     context_.status.output(message.utime);
 }
 

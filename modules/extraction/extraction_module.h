@@ -1,10 +1,10 @@
 #pragma once
 
-#include <goalmouth/segments_t.hpp>
-
 #include "core/extraction/border.h"
 #include "core/extraction/extraction.h"
 #include "core/process/module.h"
+
+#include <goalmouth/segments_t.hpp>
 
 namespace goalmouth {
 

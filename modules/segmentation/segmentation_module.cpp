@@ -17,7 +17,9 @@ constexpr std::size_t poses_kept = 64;
 
 ColourTable load_table(const std::string& file) {
     if (file.empty()) {
-        throw ConfigurationError("segmentation: no colour table: set `colours` to a .gmct file, such as config/colours/simulator.gmct");
+        throw ConfigurationError(
+            "segmentation: no colour table: set `colours` to a .gmct file, such as "
+            "config/colours/simulator.gmct");
     }
     try {
         return load_colour_table(file);
@@ -34,7 +36,8 @@ ModuleInfo SegmentationModule::info() {
             {{channels::image, "image_t", "camera frames, pixels in shared memory"},
              {channels::image_tap, "image_t", "self-contained frames, for replay", true},
              {channels::image_slices, "image_slice_t", "self-contained frames in pieces, for replay", true},
-             {channels::kinematics, "kinematics_t", "camera pose, where scan-lines are equidistant on the field", true}},
+             {channels::kinematics, "kinematics_t",
+              "camera pose, where scan-lines are equidistant on the field", true}},
             {{channels::segments, "segments_t", "colour segments of each frame"}}};
 }
 
@@ -44,10 +47,11 @@ SegmentationModule::SegmentationModule(ModuleContext& context, const Parameters&
       table_(load_table(parameters.colours)),
       images_(context.bus, context.channel(channels::image), context.channel(channels::image_tap),
               context.channel(channels::image_slices), [this](const Frame& frame) { segment(frame); }) {
-    subscribe<kinematics_t>(context.bus, context.channel(channels::kinematics), [this](const kinematics_t& message) {
-        poses_[message.utime] = camera_pose(message);
-        if (poses_.size() > poses_kept) poses_.erase(poses_.begin());
-    });
+    subscribe<kinematics_t>(context.bus, context.channel(channels::kinematics),
+                            [this](const kinematics_t& message) {
+                                poses_[message.utime] = camera_pose(message);
+                                if (poses_.size() > poses_kept) poses_.erase(poses_.begin());
+                            });
 }
 
 std::optional<Eigen::Isometry3d> SegmentationModule::pose_at(std::int64_t utime) const {

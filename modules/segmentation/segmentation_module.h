@@ -1,16 +1,16 @@
 #pragma once
 
+#include "core/imaging/colour_table.h"
+#include "core/messaging/image_input.h"
+#include "core/process/module.h"
+#include "core/segmentation/scan_lines.h"
+
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 
 #include <Eigen/Geometry>
-
-#include "core/imaging/colour_table.h"
-#include "core/messaging/image_input.h"
-#include "core/process/module.h"
-#include "core/segmentation/scan_lines.h"
 
 namespace goalmouth {
 

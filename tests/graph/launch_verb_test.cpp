@@ -120,7 +120,8 @@ TEST_F(Verb, ASecondCtrlCDoesNotWait) {
         launch->signal(SIGINT);
         return processes().empty();
     })) << launch->output();
-    EXPECT_EQ(launch->wait(), 0);
+    // One more may meet it on its way out, when nothing is left to be done.
+    EXPECT_THAT(launch->wait(), testing::AnyOf(0, 128 + SIGINT));
 }
 
 TEST_F(Verb, AReaderThatGoesEndsTheGraph) {

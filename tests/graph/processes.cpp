@@ -1,5 +1,6 @@
 #include "tests/graph/processes.h"
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdio>
@@ -22,6 +23,11 @@ fs::path program(const std::string& name) {
 
 fs::path shipped_graph(const std::string& name) {
     return fs::path(GOALMOUTH_SOURCE_DIR) / "config" / "graphs" / (name + ".yaml");
+}
+
+bool have_programs(const std::vector<std::string>& names) {
+    return std::all_of(names.begin(), names.end(),
+                       [](const auto& name) { return fs::exists(program(name)); });
 }
 
 bool eventually(const std::function<bool()>& holds, std::chrono::seconds limit) {
@@ -86,7 +92,7 @@ Running::Running(const std::vector<std::string>& command, const std::string& mar
         ::setenv("GOALMOUTH_TEST", mark.c_str(), 1);
         ::dup2(ends[1], 1);
         ::dup2(ends[1], 2);
-        ::execv(argv[0], argv.data());
+        ::execvp(argv[0], argv.data());
         ::_exit(127);
     }
     ::setpgid(pid_, pid_);

@@ -10,9 +10,12 @@
 
 namespace goalmouth::test {
 
-/// A folder's programs, the graphs of the source, and what a test has to know of other processes.
+// What tests of real processes need: the programs and graphs, and what other processes do.
+
 std::filesystem::path program(const std::string& name);
 std::filesystem::path shipped_graph(const std::string& name);
+/// They are in the folder of programs.
+bool have_programs(const std::vector<std::string>& names);
 
 /// Asks again and again, with a generous limit. True once the answer is.
 bool eventually(const std::function<bool()>& holds, std::chrono::seconds limit = std::chrono::seconds(30));

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "core/conversion/intrinsics.h"
+#include "core/imaging/colour_table.h"
+#include "core/imaging/yuyv.h"
+
 #include <cstdint>
 #include <filesystem>
 
 #include <goalmouth/image_t.hpp>
-
-#include "core/conversion/intrinsics.h"
-#include "core/imaging/colour_table.h"
-#include "core/imaging/yuyv.h"
 
 /// A picture of one upright yellow post on a green field, and a colour table for it.
 namespace goalmouth::test {
@@ -49,7 +49,8 @@ inline ColourTable scene_table() {
     for (int y = 0; y < 256; y += 8) {
         for (int cb = 0; cb < 256; cb += 8) {
             for (int cr = 0; cr < 256; cr += 8) {
-                const Ycbcr p{static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(cb), static_cast<std::uint8_t>(cr)};
+                const Ycbcr p{static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(cb),
+                              static_cast<std::uint8_t>(cr)};
                 if (cb < 90 && cr > 120) table.set(p, Colour::goal);
                 if (cb < 115 && cr < 110) table.set(p, Colour::field);
             }

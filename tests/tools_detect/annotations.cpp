@@ -13,7 +13,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-Eigen::Vector2d point(const Json& j) { return {j.at(0).get<double>(), j.at(1).get<double>()}; }
+Eigen::Vector2d point(const Json& j) {
+    return {j.at(0).get<double>(), j.at(1).get<double>()};
+}
 
 double x_at(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double y) {
     if (a.y() == b.y()) return std::numeric_limits<double>::infinity();
@@ -28,14 +30,18 @@ double mismatch(const AnnotatedPost& truth, const Post& found) {
     double worst = 0.0;
     for (const double share : {0.25, 0.75}) {
         const double y = top + share * (base - top);
-        const double left = x_at(found.left_top, found.left_base, y) - x_at(truth.left_top, truth.left_base, y);
-        const double right = x_at(found.right_top, found.right_base, y) - x_at(truth.right_top, truth.right_base, y);
+        const double left =
+            x_at(found.left_top, found.left_base, y) - x_at(truth.left_top, truth.left_base, y);
+        const double right =
+            x_at(found.right_top, found.right_base, y) - x_at(truth.right_top, truth.right_base, y);
         worst = std::max({worst, std::abs(left), std::abs(right)});
     }
     return worst / allowed;
 }
 
-Eigen::Vector2d centre(const Post& p) { return 0.25 * (p.left_top + p.left_base + p.right_top + p.right_base); }
+Eigen::Vector2d centre(const Post& p) {
+    return 0.25 * (p.left_top + p.left_base + p.right_top + p.right_base);
+}
 
 }  // namespace
 
@@ -57,11 +63,13 @@ std::vector<AnnotatedImage> read_annotations(const std::filesystem::path& file) 
             image.set = entry.at("set");
             image.file = entry.at("file");
             for (const Json& p : entry.value("posts", Json::array())) {
-                image.posts.push_back({point(p.at("top_left")), point(p.at("base_left")), point(p.at("top_right")),
-                                       point(p.at("base_right")), p.at("width_base_px").get<double>()});
+                image.posts.push_back({point(p.at("top_left")), point(p.at("base_left")),
+                                       point(p.at("top_right")), point(p.at("base_right")),
+                                       p.at("width_base_px").get<double>()});
             }
             for (const Json& box : entry.value("ignore", Json::array())) {
-                image.ignore.emplace_back(Eigen::Vector2d(box.at(0), box.at(1)), Eigen::Vector2d(box.at(2), box.at(3)));
+                image.ignore.emplace_back(Eigen::Vector2d(box.at(0), box.at(1)),
+                                          Eigen::Vector2d(box.at(2), box.at(3)));
             }
             images.push_back(std::move(image));
         }
@@ -82,7 +90,8 @@ Score score(const AnnotatedImage& image, const std::vector<Post>& detections) {
             if (m <= 1.0) matches.push_back({t, f, m});
         }
     }
-    std::sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) { return a.mismatch < b.mismatch; });
+    std::sort(matches.begin(), matches.end(),
+              [](const Match& a, const Match& b) { return a.mismatch < b.mismatch; });
 
     std::vector<bool> truth_used(image.posts.size(), false);
     std::vector<bool> found_used(detections.size(), false);
@@ -94,8 +103,9 @@ Score score(const AnnotatedImage& image, const std::vector<Post>& detections) {
     }
     result.missed = static_cast<int>(image.posts.size()) - result.found;
     for (std::size_t f = 0; f < detections.size(); ++f) {
-        const bool ignored = std::any_of(image.ignore.begin(), image.ignore.end(),
-                                         [&](const auto& box) { return box.contains(centre(detections[f])); });
+        const bool ignored = std::any_of(image.ignore.begin(), image.ignore.end(), [&](const auto& box) {
+            return box.contains(centre(detections[f]));
+        });
         if (!found_used[f] && !ignored) ++result.wrong;
     }
     return result;

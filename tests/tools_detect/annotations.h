@@ -1,13 +1,13 @@
 #pragma once
 
+#include "core/detection/post.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-
-#include "core/detection/post.h"
 
 namespace goalmouth::test {
 
@@ -35,13 +35,15 @@ struct Score {
     int wrong = 0;
 
     double recall() const { return found + missed > 0 ? static_cast<double>(found) / (found + missed) : 1.0; }
-    double precision() const { return found + wrong > 0 ? static_cast<double>(found) / (found + wrong) : 1.0; }
+    double precision() const {
+        return found + wrong > 0 ? static_cast<double>(found) / (found + wrong) : 1.0;
+    }
     Score& operator+=(const Score& other);
 };
 
-/// A post is found when both side edges of a detection lie within max(3 px, 25 % of the post's width) of its annotated lines, measured
-/// along the row at a quarter and three quarters of the annotated height. One detection counts for one post. A detection centred in
-/// an ignore box is neither right nor wrong.
+/// A post is found when both side edges of a detection lie within max(3 px, 25 % of the post's width) of its
+/// annotated lines, measured along the row at a quarter and three quarters of the annotated height. One
+/// detection counts for one post. A detection centred in an ignore box is neither right nor wrong.
 Score score(const AnnotatedImage& image, const std::vector<Post>& detections);
 
 }  // namespace goalmouth::test

@@ -33,9 +33,9 @@ TEST(Score, AllowsAQuarterOfTheWidth) {
 }
 
 TEST(Score, LooksAtTwoHeights) {
-    // Right in the middle, 5.5 px off at the quarters.
-    expect_score(score(image(), {detection(195, 215, 11)}), 1, 0, 0);
-    expect_score(score(image(), {detection(190 - 5.5, 210 - 5.5, 22 * 1.4)}), 0, 1, 1);
+    // The annotated post's quarters lie at y = 100 and 200; both detections are right half-way between.
+    expect_score(score(image(), {detection(188, 208, 16)}), 1, 0, 0);  // 4 px off at each
+    expect_score(score(image(), {detection(182, 202, 24)}), 0, 1, 1);  // 6 px
 }
 
 TEST(Score, CountsOneDetectionForOnePost) {

@@ -184,12 +184,13 @@ void add_import(CLI::App& verb, Action& action) {
 
 void add_train(CLI::App& verb, Action& action) {
     auto o = std::make_shared<Options>();
-    CLI::App* command = verb.add_subcommand(
-        "train",
-        "Learn a table from pictures in which the goalposts are annotated.\n"
+    CLI::App* command =
+        verb.add_subcommand("train", "Learn a table from pictures in which the goalposts are annotated");
+    command->footer(
         "Goal is learnt inside the annotated posts; field is the large green area, lines the pale bright "
-        "parts and balls the orange\n"
-        "blobs in it. Prints how many pixels of posts, and of anything else, the table calls goal.");
+        "parts and\n"
+        "balls the orange blobs in it. Prints how many pixels of posts, and of anything else, the table "
+        "calls goal.");
     TrainColoursOptions& t = o->train;
     command
         ->add_option("--annotations", t.annotations,

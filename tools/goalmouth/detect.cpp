@@ -1,16 +1,3 @@
-#include <unistd.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <memory>
-#include <set>
-#include <string>
-#include <vector>
-
-#include <opencv2/imgcodecs.hpp>
-
 #include "core/imaging/conversion.h"
 #include "core/imaging/file_error.h"
 #include "core/imaging/image_file.h"
@@ -19,6 +6,18 @@
 #include "tools/goalmouth/image_chain.h"
 #include "tools/goalmouth/overlay.h"
 #include "tools/goalmouth/verbs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include <opencv2/imgcodecs.hpp>
 
 namespace goalmouth {
 namespace {
@@ -46,7 +45,8 @@ std::vector<std::string> expand(const std::vector<std::string>& named) {
         }
         std::vector<std::string> inside;
         for (const auto& entry : fs::directory_iterator(name)) {
-            if (entry.is_regular_file() && is_image_name(entry.path())) inside.push_back(entry.path().string());
+            if (entry.is_regular_file() && is_image_name(entry.path()))
+                inside.push_back(entry.path().string());
         }
         std::sort(inside.begin(), inside.end());
         if (inside.empty()) throw ConfigurationError(name + ": there is no picture in this folder");
@@ -62,7 +62,9 @@ class OverlayFolder {
         if (folder_.empty()) return;
         std::error_code problem;
         fs::create_directories(folder_, problem);
-        if (problem) throw ConfigurationError("--overlay: the folder " + folder_.string() + " cannot be made: " + problem.message());
+        if (problem)
+            throw ConfigurationError("--overlay: the folder " + folder_.string() +
+                                     " cannot be made: " + problem.message());
     }
 
     void write(const std::string& file, YuyvView image, const ImageResult& result) {
@@ -75,7 +77,8 @@ class OverlayFolder {
         std::string name = stem;
         for (int n = 2; !used_.insert(name).second; ++n) name = stem + "_" + std::to_string(n);
         const fs::path target = folder_ / (name + ".png");
-        if (!cv::imwrite(target.string(), picture)) throw ConfigurationError("--overlay: " + target.string() + " cannot be written");
+        if (!cv::imwrite(target.string(), picture))
+            throw ConfigurationError("--overlay: " + target.string() + " cannot be written");
     }
 
   private:
@@ -100,13 +103,17 @@ class Progress {
     bool shown_;
 };
 
-void write_json(const std::string& target, const nlohmann::ordered_json& reports) {
+/// An array, one picture a line.
+void write_json(const std::string& target, const std::vector<nlohmann::ordered_json>& reports) {
+    std::string text = "[";
+    for (const auto& report : reports) text += (text.size() > 1 ? ",\n " : "\n ") + report.dump();
+    text += "\n]\n";
     if (target == "-") {
-        std::cout << reports.dump(1) << '\n';
+        std::cout << text;
         return;
     }
     std::ofstream out(target);
-    out << reports.dump(1) << '\n';
+    out << text;
     if (!out.flush()) throw ConfigurationError("--json: " + target + " cannot be written");
 }
 
@@ -116,12 +123,13 @@ int detect(Options options) {
         size = parse_image_size(options.size);
         if (!size) throw ConfigurationError("--size: \"" + options.size + "\" is no size such as 640x480");
     }
-    if (options.height > 0.0) options.chain.T_BC = camera_in_body(options.height, options.roll, options.pitch);
+    if (options.height > 0.0)
+        options.chain.T_BC = camera_in_body(options.height, options.roll, options.pitch);
 
     const std::vector<std::string> files = expand(options.images);
     OverlayFolder overlays(options.overlay);
     ImageChain chain(options.chain);
-    auto reports = nlohmann::ordered_json::array();
+    std::vector<nlohmann::ordered_json> reports;
     std::string summaries;
     int unreadable = 0;
     {
@@ -151,20 +159,30 @@ int detect(Options options) {
 
 void add_detect_verb(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
-    CLI::App* verb = app.add_subcommand("detect", "Find goalposts in pictures, with the modules of a graph in one process");
-    verb->add_option("IMAGE", options->images, "pictures (PNG, JPEG, PPM, raw 4:2:2 as .yuyv) or folders of them")->required();
-    verb->add_option("--graph", options->chain.graph, "graph whose stages are used: a file, or the name of one in config/graphs")
+    CLI::App* verb = app.add_subcommand(
+        "detect", "Find goalposts in pictures, with the modules of a graph in one process");
+    verb->add_option("IMAGE", options->images,
+                     "pictures (PNG, JPEG, PPM, raw 4:2:2 as .yuyv) or folders of them")
+        ->required();
+    verb->add_option("--graph", options->chain.graph,
+                     "graph whose stages are used: a file, or the name of one in config/graphs")
         ->capture_default_str();
-    verb->add_option("--camera", options->chain.camera, "calibration, scaled to each picture's size; else the graph's");
+    verb->add_option("--camera", options->chain.camera,
+                     "calibration, scaled to each picture's size; else the graph's");
     verb->add_option("--field", options->chain.field, "field description; else the graph's");
     verb->add_option("--colours", options->chain.colours, "colour table; else the graph's");
-    verb->add_option("--json", options->json, "write the results there; - for standard output instead of the text");
-    verb->add_option("--overlay", options->overlay, "folder for pictures with border, candidates and posts drawn in");
+    verb->add_option("--json", options->json,
+                     "write the results there; - for standard output instead of the text");
+    verb->add_option("--overlay", options->overlay,
+                     "folder for pictures with border, candidates and posts drawn in");
     verb->add_option("--size", options->size, "WIDTHxHEIGHT of raw pictures [px]");
-    CLI::Option* height = verb->add_option("--height", options->height, "camera above the ground [m]")->check(CLI::PositiveNumber);
-    verb->add_option("--roll", options->roll, "camera roll, clockwise as the camera sees it [rad]")->needs(height);
+    CLI::Option* height = verb->add_option("--height", options->height, "camera above the ground [m]")
+                              ->check(CLI::PositiveNumber);
+    verb->add_option("--roll", options->roll, "camera roll, clockwise as the camera sees it [rad]")
+        ->needs(height);
     verb->add_option("--pitch", options->pitch, "camera pitch, + down [rad]")->needs(height);
-    verb->add_option("--set", options->chain.settings, "PROCESS.KEY=VALUE: a parameter of one stage")->take_all();
+    verb->add_option("--set", options->chain.settings, "PROCESS.KEY=VALUE: a parameter of one stage")
+        ->allow_extra_args(false);
     verb->footer("Exit code 2 where a picture cannot be read; the others are processed all the same.");
     verb->callback([options, &action] { action = [options] { return detect(*options); }; });
 }

@@ -12,13 +12,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json point(const Eigen::Vector2d& p) { return Json::array({p.x(), p.y()}); }
+Json point(const Eigen::Vector2d& p) {
+    return Json::array({p.x(), p.y()});
+}
 
 const char* side_name(PostSide side) {
     switch (side) {
-        case PostSide::left: return "left";
-        case PostSide::right: return "right";
-        default: return "unknown";
+        case PostSide::left:
+            return "left";
+        case PostSide::right:
+            return "right";
+        default:
+            return "unknown";
     }
 }
 
@@ -64,7 +69,8 @@ nlohmann::ordered_json image_report(const std::string& file, const ImageResult& 
     j["width"] = result.camera.width;
     j["height"] = result.camera.height;
     j["posts"] = Json::array();
-    for (std::size_t i = 0; i < result.posts.size(); ++i) j["posts"].push_back(post_report(result.posts[i], result.detectors[i]));
+    for (std::size_t i = 0; i < result.posts.size(); ++i)
+        j["posts"].push_back(post_report(result.posts[i], result.detectors[i]));
     j["border"] = Json::array();
     for (const auto& p : result.border.hull) j["border"].push_back(point(p));
     j["milliseconds"] = Json::object();
@@ -73,16 +79,19 @@ nlohmann::ordered_json image_report(const std::string& file, const ImageResult& 
 }
 
 std::string image_summary(const std::string& file, const ImageResult& result) {
-    std::string text = file + ": " + std::to_string(result.posts.size()) + (result.posts.size() == 1 ? " post\n" : " posts\n");
+    std::string text = file + ": " + std::to_string(result.posts.size()) +
+                       (result.posts.size() == 1 ? " post\n" : " posts\n");
     for (const Post& post : result.posts) {
         char line[200];
-        std::snprintf(line, sizeof line, "    %-7s x %6.1f … %6.1f  %5.1f px wide  bearing %+6.1f°  ", side_name(post.side),
-                      post.left_base.x(), post.right_base.x(), post.width_px, post.bearing_rad * 180.0 / std::numbers::pi);
+        std::snprintf(line, sizeof line, "    %-7s x %6.1f … %6.1f  %5.1f px wide  bearing %+6.1f°  ",
+                      side_name(post.side), post.left_base.x(), post.right_base.x(), post.width_px,
+                      post.bearing_rad * 180.0 / std::numbers::pi);
         text += line;
         if (post.has(post_flag::no_distance)) {
             text += "no distance";
         } else {
-            std::snprintf(line, sizeof line, "%.2f m ± %.2f", post.distance_m, std::sqrt(post.covariance(0, 0)));
+            std::snprintf(line, sizeof line, "%.2f m ± %.2f", post.distance_m,
+                          std::sqrt(post.covariance(0, 0)));
             text += line;
         }
         for (const auto& flag : flag_names(post)) text += "  " + flag;

@@ -1,14 +1,5 @@
 #include "tools/goalmouth/image_chain.h"
 
-#include <algorithm>
-#include <set>
-#include <utility>
-
-#include <goalmouth/border_t.hpp>
-#include <goalmouth/candidates_t.hpp>
-#include <goalmouth/image_t.hpp>
-#include <goalmouth/posts_t.hpp>
-
 #include "core/conversion/border.h"
 #include "core/conversion/camera_pose.h"
 #include "core/conversion/candidates.h"
@@ -21,6 +12,15 @@
 #include "core/process/status.h"
 #include "tools/goalmouth/registry.h"
 
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include <goalmouth/border_t.hpp>
+#include <goalmouth/candidates_t.hpp>
+#include <goalmouth/image_t.hpp>
+#include <goalmouth/posts_t.hpp>
+
 namespace goalmouth {
 namespace {
 
@@ -31,8 +31,8 @@ bool publishes_type(const GraphProcess& process, const std::string& type) {
     return std::any_of(uses.begin(), uses.end(), [&](const ChannelUse& use) { return use.type == type; });
 }
 
-/// The processes between pictures and posts: those that find posts, and whatever they get their messages from, up to the source of
-/// the pictures, which is left out.
+/// The processes between pictures and posts: those that find posts, and whatever they get their messages
+/// from, up to the source of the pictures, which is left out.
 std::vector<GraphProcess> stages_to_posts(const Graph& graph) {
     std::set<std::string> wanted;  // channels
     std::vector<bool> taken(graph.processes.size(), false);
@@ -42,13 +42,15 @@ std::vector<GraphProcess> stages_to_posts(const Graph& graph) {
             const GraphProcess& process = graph.processes[i];
             if (taken[i] || publishes_type(process, "image_t")) continue;
             const auto& info = process.description.info;
-            const bool needed = std::any_of(info.publishes.begin(), info.publishes.end(), [&](const ChannelUse& use) {
-                return use.type == "posts_t" || wanted.contains(process.channel(use.channel));
-            });
+            const bool needed =
+                std::any_of(info.publishes.begin(), info.publishes.end(), [&](const ChannelUse& use) {
+                    return use.type == "posts_t" || wanted.contains(process.channel(use.channel));
+                });
             if (!needed) continue;
             taken[i] = grew = true;
             for (const ChannelUse& use : info.subscribes) {
-                if (use.type != "image_t" && use.type != "posts_t") wanted.insert(process.channel(use.channel));
+                if (use.type != "image_t" && use.type != "posts_t")
+                    wanted.insert(process.channel(use.channel));
             }
         }
     }
@@ -59,13 +61,16 @@ std::vector<GraphProcess> stages_to_posts(const Graph& graph) {
     return stages;
 }
 
-void override_parameter(std::vector<GraphProcess>& stages, const std::string& key, const fs::path& file, const std::string& origin) {
+void override_parameter(std::vector<GraphProcess>& stages, const std::string& key, const fs::path& file,
+                        const std::string& origin) {
     if (file.empty()) return;
     if (!fs::exists(file)) throw ConfigurationError(origin + ": there is no file " + file.string());
     bool known = false;
     for (GraphProcess& process : stages) {
         const auto& parameters = process.description.parameters;
-        if (std::none_of(parameters.begin(), parameters.end(), [&](const ParameterInfo& p) { return p.key == key; })) continue;
+        if (std::none_of(parameters.begin(), parameters.end(),
+                         [&](const ParameterInfo& p) { return p.key == key; }))
+            continue;
         process.settings.push_back({key, fs::absolute(file).string(), {origin, 0}, fs::current_path()});
         known = true;
     }
@@ -96,7 +101,8 @@ image_t image_message(YuyvView image, const Intrinsics& camera, std::int64_t uti
     m.encoding = "yuyv";
     m.slot = -1;
     m.generation = -1;
-    for (int y = 0; y < image.height; ++y) m.data.insert(m.data.end(), image.row(y), image.row(y) + m.row_stride);
+    for (int y = 0; y < image.height; ++y)
+        m.data.insert(m.data.end(), image.row(y), image.row(y) + m.row_stride);
     m.size = m.data_size = static_cast<std::int32_t>(m.data.size());
     return m;
 }
@@ -130,8 +136,9 @@ struct ImageChain::State {
 void ImageChain::State::add(const Graph& graph, const GraphProcess& process) {
     const ModuleType* type = find_module_type(process.executable);
     if (type == nullptr) {
-        throw ConfigurationError(process.place.text() + ": process " + process.name + " runs " + process.executable +
-                                 ", which is not one of goalmouth's modules and cannot run inside `goalmouth detect`");
+        throw ConfigurationError(
+            process.place.text() + ": process " + process.name + " runs " + process.executable +
+            ", which is not one of goalmouth's modules and cannot run inside `goalmouth detect`");
     }
     auto stage = std::make_unique<Stage>();
     stage->process = process;
@@ -160,7 +167,8 @@ void ImageChain::State::hear(const std::string& type, F handler) {
 
 void ImageChain::State::listen() {
     hear<border_t>("border_t", [this](const border_t& m) { result.border = from_message(m); });
-    hear<candidates_t>("candidates_t", [this](const candidates_t& m) { result.candidates = from_message(m); });
+    hear<candidates_t>("candidates_t",
+                       [this](const candidates_t& m) { result.candidates = from_message(m); });
     hear<posts_t>("posts_t", [this](const posts_t& m) {
         for (const Post& post : from_message(m)) {
             result.posts.push_back(post);
@@ -175,7 +183,8 @@ ImageChain::ImageChain(const ImageChainOptions& options) : state_(std::make_uniq
     graph_options.describe = describe_module;
     const Graph graph = load_graph(options.graph, graph_options);
     std::vector<GraphProcess> stages = stages_to_posts(graph);
-    if (stages.empty()) throw ConfigurationError(graph.file.string() + ": no process of this graph finds goalposts");
+    if (stages.empty())
+        throw ConfigurationError(graph.file.string() + ": no process of this graph finds goalposts");
     override_parameter(stages, "colours", options.colours, "--colours");
     override_parameter(stages, "field", options.field, "--field");
 
@@ -198,7 +207,8 @@ ImageResult ImageChain::run(YuyvView image) {
 
     MemoryBus& source = s.hub.endpoint("picture");
     if (s.T_BC) {
-        for (const auto& channel : s.kinematics_channels) publish(source, channel, kinematics_message(*s.T_BC, s.utime, 0));
+        for (const auto& channel : s.kinematics_channels)
+            publish(source, channel, kinematics_message(*s.T_BC, s.utime, 0));
     }
     const image_t message = image_message(image, s.result.camera, s.utime);
     for (const auto& channel : s.image_channels) publish(source, channel, message);

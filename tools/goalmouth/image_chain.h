@@ -1,5 +1,12 @@
 #pragma once
 
+#include "core/detection/post.h"
+#include "core/extraction/border.h"
+#include "core/extraction/candidates.h"
+#include "core/geometry/camera.h"
+#include "core/imaging/yuyv.h"
+#include "core/process/graph.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -10,13 +17,6 @@
 
 #include <Eigen/Geometry>
 
-#include "core/detection/post.h"
-#include "core/extraction/border.h"
-#include "core/extraction/candidates.h"
-#include "core/geometry/camera.h"
-#include "core/imaging/yuyv.h"
-#include "core/process/graph.h"
-
 namespace goalmouth {
 
 /// What a graph made of one picture.
@@ -24,26 +24,27 @@ struct ImageResult {
     Intrinsics camera;  // used, at the picture's size
     FieldBorder border;
     Candidates candidates;
-    std::vector<Post> posts;             // of all detectors of the graph
-    std::vector<std::string> detectors;  // beside `posts`: which program found it
+    std::vector<Post> posts;                     // of all detectors of the graph
+    std::vector<std::string> detectors;          // beside `posts`: which program found it
     std::map<std::string, double> milliseconds;  // by process
 };
 
 struct ImageChainOptions {
-    std::string graph = "ransac";             // file, or name of one in config/graphs/
-    std::vector<std::string> settings;        // "PROCESS.KEY=VALUE"
-    std::filesystem::path camera;             // "": the one of the graph, else the default C905
-    std::filesystem::path field;              // "": as the graph says
-    std::filesystem::path colours;            // "": as the graph says
-    std::optional<Eigen::Isometry3d> T_BC;    // of all pictures, where known
+    std::string graph = "ransac";           // file, or name of one in config/graphs/
+    std::vector<std::string> settings;      // "PROCESS.KEY=VALUE"
+    std::filesystem::path camera;           // "": the one of the graph, else the default C905
+    std::filesystem::path field;            // "": as the graph says
+    std::filesystem::path colours;          // "": as the graph says
+    std::optional<Eigen::Isometry3d> T_BC;  // of all pictures, where known
 };
 
-/// The part of a graph that leads from pictures to goalposts, as module objects on a bus in memory: what the processes would do, in
-/// one process and without drops. Each picture is a frame of its own, with number 0, so what is drawn at random for it, and so its
-/// result, does not depend on the pictures before.
+/// The part of a graph that leads from pictures to goalposts, as module objects on a bus in memory: what the
+/// processes would do, in one process and without drops. Each picture is a frame of its own, with number 0,
+/// so what is drawn at random for it, and so its result, does not depend on the pictures before.
 class ImageChain {
   public:
-    /// Throws ConfigurationError, also where the graph has a stage whose program is not ours or finds no posts.
+    /// Throws ConfigurationError, also where the graph has a stage whose program is not ours or finds no
+    /// posts.
     explicit ImageChain(const ImageChainOptions& options);
     ~ImageChain();
     ImageChain(const ImageChain&) = delete;

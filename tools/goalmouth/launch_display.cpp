@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -16,6 +17,7 @@ using Kind = LauncherEvent::Kind;
 
 constexpr std::chrono::seconds table_interval{1};
 constexpr std::chrono::seconds summary_interval{10};
+constexpr const char* launcher_name = "goalmouth";
 constexpr double silent_after = 3.0;  // [s] without STATUS, which comes every second
 constexpr std::array<const char*, 6> name_colours = {"36", "33", "35", "32", "34", "96"};
 
@@ -55,6 +57,7 @@ LaunchDisplay::LaunchDisplay(const Graph& graph, bool quiet)
     : quiet_(quiet),
       terminal_(::isatty(STDOUT_FILENO) == 1),
       colours_(terminal_ && !std::getenv("NO_COLOR")) {
+    name_width_ = std::string_view(launcher_name).size();
     for (const auto& process : graph.processes) {
         names_.push_back(process.name);
         name_width_ = std::max(name_width_, process.name.size());
@@ -64,7 +67,7 @@ LaunchDisplay::LaunchDisplay(const Graph& graph, bool quiet)
 
 std::string LaunchDisplay::prefix(int process) const {
     const auto index = static_cast<std::size_t>(process);
-    const std::string name = process < 0 ? "goalmouth" : names_[index];
+    const std::string name = process < 0 ? launcher_name : names_[index];
     const std::string padded = name + std::string(name_width_ - std::min(name_width_, name.size()), ' ');
     if (!colours_) return padded + " | ";
     const char* colour = process < 0 ? "1" : name_colours[index % name_colours.size()];

@@ -17,9 +17,13 @@ const cv::Scalar post_colour(0, 0, 255);
 const cv::Scalar shade(0, 0, 0);
 
 /// 1 for a picture 640 px wide.
-double scale_of(const cv::Mat& picture) { return std::max(1.0, picture.cols / 640.0); }
+double scale_of(const cv::Mat& picture) {
+    return std::max(1.0, picture.cols / 640.0);
+}
 
-int strokes(const cv::Mat& picture, double width) { return std::max(1, static_cast<int>(std::lround(width * scale_of(picture)))); }
+int strokes(const cv::Mat& picture, double width) {
+    return std::max(1, static_cast<int>(std::lround(width * scale_of(picture))));
+}
 
 /// Fixed-point coordinates for OpenCV's sub-pixel drawing.
 constexpr int shift_bits = 4;
@@ -31,34 +35,41 @@ cv::Point fixed(const Eigen::Vector2d& p) {
     return {coordinate(p.x()), coordinate(p.y())};
 }
 
-void line(cv::Mat& picture, const Eigen::Vector2d& a, const Eigen::Vector2d& b, const cv::Scalar& colour, int width) {
+void line(cv::Mat& picture, const Eigen::Vector2d& a, const Eigen::Vector2d& b, const cv::Scalar& colour,
+          int width) {
     cv::line(picture, fixed(a), fixed(b), colour, width, cv::LINE_AA, shift_bits);
 }
 
-void dashed(cv::Mat& picture, const Eigen::Vector2d& a, const Eigen::Vector2d& b, const cv::Scalar& colour, int width) {
+void dashed(cv::Mat& picture, const Eigen::Vector2d& a, const Eigen::Vector2d& b, const cv::Scalar& colour,
+            int width) {
     const double dash = 8.0 * scale_of(picture);
     const double length = (b - a).norm();
     if (length > 1e5) return;
     for (double at = 0.0; at < length; at += 2.0 * dash) {
-        line(picture, a + (b - a) * at / length, a + (b - a) * std::min(length, at + dash) / length, colour, width);
+        line(picture, a + (b - a) * at / length, a + (b - a) * std::min(length, at + dash) / length, colour,
+             width);
     }
 }
 
 void dot(cv::Mat& picture, const Eigen::Vector2d& p, const cv::Scalar& colour) {
-    cv::circle(picture, fixed(p), static_cast<int>(1.5 * scale_of(picture) * (1 << shift_bits)), colour, cv::FILLED, cv::LINE_AA, shift_bits);
+    cv::circle(picture, fixed(p), static_cast<int>(1.5 * scale_of(picture) * (1 << shift_bits)), colour,
+               cv::FILLED, cv::LINE_AA, shift_bits);
 }
 
-/// Text with a dark box behind it, moved to stay inside the picture; `centre` is the middle of its upper side.
+/// Text with a dark box behind it, moved to stay inside the picture; `centre` is the middle of its upper
+/// side.
 void label(cv::Mat& picture, const Eigen::Vector2d& centre, const std::string& text) {
     const double size = 0.5 * scale_of(picture);
     const int width = strokes(picture, 1.0);
     int below = 0;
     const cv::Size box = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, size, width, &below);
     const int margin = strokes(picture, 3.0);
-    const int x = std::clamp(static_cast<int>(centre.x()) - box.width / 2, margin, std::max(margin, picture.cols - box.width - margin));
+    const int x = std::clamp(static_cast<int>(centre.x()) - box.width / 2, margin,
+                             std::max(margin, picture.cols - box.width - margin));
     const int y = std::clamp(static_cast<int>(centre.y()) + box.height + margin, box.height + margin,
                              std::max(box.height + margin, picture.rows - below - margin));
-    cv::rectangle(picture, {x - margin, y - box.height - margin}, {x + box.width + margin, y + below + margin}, shade, cv::FILLED);
+    cv::rectangle(picture, {x - margin, y - box.height - margin},
+                  {x + box.width + margin, y + below + margin}, shade, cv::FILLED);
     cv::putText(picture, text, {x, y}, cv::FONT_HERSHEY_SIMPLEX, size, {255, 255, 255}, width, cv::LINE_AA);
 }
 
@@ -107,7 +118,9 @@ void draw_posts(cv::Mat& picture, const std::vector<Post>& posts) {
         }
     }
     for (const Post& post : posts) {
-        label(picture, 0.5 * (post.left_base + post.right_base) + Eigen::Vector2d(0.0, 6.0 * scale_of(picture)), text_of(post));
+        label(picture,
+              0.5 * (post.left_base + post.right_base) + Eigen::Vector2d(0.0, 6.0 * scale_of(picture)),
+              text_of(post));
     }
 }
 

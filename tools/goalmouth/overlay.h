@@ -1,16 +1,17 @@
 #pragma once
 
-#include <vector>
-
-#include <opencv2/core.hpp>
-
 #include "core/detection/post.h"
 #include "core/extraction/border.h"
 #include "core/extraction/candidates.h"
 
+#include <vector>
+
+#include <opencv2/core.hpp>
+
 namespace goalmouth {
 
-// What was found, drawn into the picture it was found in (BGR, 8 bits). Line widths and letters grow with the picture.
+// What was found, drawn into the picture it was found in (BGR, 8 bits). Line widths and letters grow with the
+// picture.
 
 /// The field's border, with its points.
 void draw_border(cv::Mat& picture, const FieldBorder& border);

@@ -1,7 +1,5 @@
 #include "tools/goalmouth/registry.h"
 
-#include <algorithm>
-
 #include "modules/camera/camera_module.h"
 #include "modules/detection_histogram/detection_histogram_module.h"
 #include "modules/detection_ransac/detection_ransac_module.h"
@@ -10,20 +8,25 @@
 #include "modules/segmentation/segmentation_module.h"
 #include "modules/tap/tap_module.h"
 
+#include <algorithm>
+
 namespace goalmouth {
 
 const std::vector<ModuleType>& module_types() {
-    static const std::vector<ModuleType> types{
-        module_type<CameraModule>(),          module_type<SegmentationModule>(),       module_type<ExtractionModule>(),
-        module_type<RansacDetectionModule>(), module_type<HistogramDetectionModule>(), module_type<LocalisationModule>(),
-        module_type<TapModule>()};
+    static const std::vector<ModuleType> types{module_type<CameraModule>(),
+                                               module_type<SegmentationModule>(),
+                                               module_type<ExtractionModule>(),
+                                               module_type<RansacDetectionModule>(),
+                                               module_type<HistogramDetectionModule>(),
+                                               module_type<LocalisationModule>(),
+                                               module_type<TapModule>()};
     return types;
 }
 
 const ModuleType* find_module_type(const std::string& executable) {
     const auto& types = module_types();
-    const auto found =
-        std::find_if(types.begin(), types.end(), [&](const ModuleType& t) { return t.info.executable == executable; });
+    const auto found = std::find_if(types.begin(), types.end(),
+                                    [&](const ModuleType& t) { return t.info.executable == executable; });
     return found == types.end() ? nullptr : &*found;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "core/process/graph.h"
 #include "core/process/run_module.h"
+
+#include <string>
+#include <vector>
 
 namespace goalmouth {
 

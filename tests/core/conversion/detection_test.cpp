@@ -1,11 +1,11 @@
-#include <gtest/gtest.h>
-
 #include "core/conversion/border.h"
 #include "core/conversion/camera_pose.h"
 #include "core/conversion/candidates.h"
 #include "core/conversion/posts.h"
 #include "core/messaging/validation.h"
 #include "core/random/random.h"
+
+#include <gtest/gtest.h>
 
 namespace goalmouth {
 namespace {
@@ -29,7 +29,8 @@ Candidates many(int count) {
     c.height = 480;
     for (int i = 0; i < count; ++i) {
         const int start = static_cast<int>(random.index(600));
-        c.segments.push_back({i % 2 ? Orientation::vertical : Orientation::horizontal, start % 480, start % 480, start % 480});
+        c.segments.push_back(
+            {i % 2 ? Orientation::vertical : Orientation::horizontal, start % 480, start % 480, start % 480});
         c.left_edges.emplace_back(start + 0.25, start % 480);
         c.right_edges.emplace_back(start + 0.75, start % 480);
     }

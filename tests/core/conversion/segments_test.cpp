@@ -1,11 +1,11 @@
 #include "core/conversion/segments.h"
 
+#include "core/messaging/typed.h"
+#include "core/random/random.h"
+
 #include <algorithm>
 
 #include <gtest/gtest.h>
-
-#include "core/messaging/typed.h"
-#include "core/random/random.h"
 
 namespace goalmouth {
 namespace {
@@ -20,7 +20,8 @@ Segments noise(int width, int height, int spacing, Random& random) {
             const int end = std::min(size - 1, start + static_cast<int>(random.index(4)));
             const float offset = static_cast<float>(random.index(255)) / 100.F - 1.27F;
             const auto colour = static_cast<Colour>(line.count % 2 == 0 ? 1 : 4);
-            segments.segments.push_back({static_cast<std::int16_t>(start), static_cast<std::int16_t>(end), colour,
+            segments.segments.push_back({static_cast<std::int16_t>(start), static_cast<std::int16_t>(end),
+                                         colour,
                                          static_cast<float>(start) - 0.5F + (start > 0 ? offset : 0.F)});
             start = end + 1;
         }
@@ -31,7 +32,9 @@ Segments noise(int width, int height, int spacing, Random& random) {
     return segments;
 }
 
-Intrinsics camera_of(int width, int height) { return scaled_to(Intrinsics{}, width, height); }
+Intrinsics camera_of(int width, int height) {
+    return scaled_to(Intrinsics{}, width, height);
+}
 
 TEST(SegmentsMessage, KeepsEverythingThatFits) {
     Random random(1);

@@ -1,18 +1,22 @@
 #include "core/detection/histogram.h"
 
+#include "core/detection/histogram_detector.h"
+#include "core/random/random.h"
+
 #include <algorithm>
 #include <numeric>
 
 #include <gtest/gtest.h>
 
-#include "core/detection/histogram_detector.h"
-#include "core/random/random.h"
-
 namespace goalmouth {
 namespace {
 
-CandidateSegment row(int y, int start, int end) { return {Orientation::horizontal, y, start, end}; }
-CandidateSegment column(int x, int start, int end) { return {Orientation::vertical, x, start, end}; }
+CandidateSegment row(int y, int start, int end) {
+    return {Orientation::horizontal, y, start, end};
+}
+CandidateSegment column(int x, int start, int end) {
+    return {Orientation::vertical, x, start, end};
+}
 
 std::vector<std::pair<std::size_t, std::size_t>> groups(const std::vector<double>& counts) {
     std::vector<std::pair<std::size_t, std::size_t>> found;
@@ -22,7 +26,8 @@ std::vector<std::pair<std::size_t, std::size_t>> groups(const std::vector<double
 using Groups = std::vector<std::pair<std::size_t, std::size_t>>;
 
 TEST(Histogram, SumsLengthsOfBothOrientationsByTheirCentres) {
-    const Histogram h = build_histogram({row(5, 0, 9), column(31, 10, 29), row(6, 30, 35), row(7, 639, 639)}, 640, 20);
+    const Histogram h =
+        build_histogram({row(5, 0, 9), column(31, 10, 29), row(6, 30, 35), row(7, 639, 639)}, 640, 20);
     EXPECT_DOUBLE_EQ(h.bin_width, 32.0);
     EXPECT_DOUBLE_EQ(h.counts[0], 10.0 + 20.0);
     EXPECT_DOUBLE_EQ(h.counts[1], 6.0);  // centre 32.5
@@ -104,7 +109,8 @@ TEST(HistogramDetector, WidensALeaningPostAsThePaperSays) {
     Candidates c;
     c.width = 640;
     c.height = 480;
-    for (int y = 100; y <= 300; y += 4) c.segments.push_back(row(y, 310 + (y - 100) / 4, 329 + (y - 100) / 4));
+    for (int y = 100; y <= 300; y += 4)
+        c.segments.push_back(row(y, 310 + (y - 100) / 4, 329 + (y - 100) / 4));
     HistogramParameters parameters;
     parameters.peak_threshold = 10.0;
     const auto posts = detect_posts_by_histogram(c, {}, 0.1, parameters);
@@ -123,7 +129,9 @@ TEST(HistogramDetector, SaysThatThePostIsCut) {
     EXPECT_EQ(posts[0].distance_m, 0.0);
 }
 
-TEST(HistogramDetector, OfNothingIsNothing) { EXPECT_TRUE(detect_posts_by_histogram({}, {}, 0.1, {}).empty()); }
+TEST(HistogramDetector, OfNothingIsNothing) {
+    EXPECT_TRUE(detect_posts_by_histogram({}, {}, 0.1, {}).empty());
+}
 
 }  // namespace
 }  // namespace goalmouth

@@ -1,11 +1,11 @@
 #include "core/detection/measurement.h"
 
+#include "core/random/random.h"
+
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
-
-#include "core/random/random.h"
 
 namespace goalmouth {
 namespace {
@@ -34,7 +34,8 @@ TEST(Measurement, DistanceDoesNotDependOnTheLean) {
         const Eigen::Rotation2Dd turn(lean);
         const Eigen::Vector2d c(320, 240);
         Post post = post_between(309.5, 329.5);
-        for (Eigen::Vector2d* p : {&post.left_top, &post.left_base, &post.right_top, &post.right_base}) *p = c + turn * (*p - c);
+        for (Eigen::Vector2d* p : {&post.left_top, &post.left_base, &post.right_top, &post.right_base})
+            *p = c + turn * (*p - c);
         measure_post(post, {}, 0.1, 0.1, 0.1, {});
         EXPECT_NEAR(post.width_px, 20.0, 1e-9);
         EXPECT_NEAR(post.distance_m, 0.1 * 554.26 / 20.0, 1e-9);
@@ -70,7 +71,8 @@ TEST(Measurement, CovarianceIsThatOfJitteredEdges) {
     for (int i = 0; i < samples; ++i) {
         Post post = post_between(200 + sigma_left * random.normal(), 225 + sigma_right * random.normal());
         measure_post(post, {}, 0.1, 0, 0, parameters);
-        const Eigen::Vector2d error(post.distance_m - nominal.distance_m, post.bearing_rad - nominal.bearing_rad);
+        const Eigen::Vector2d error(post.distance_m - nominal.distance_m,
+                                    post.bearing_rad - nominal.bearing_rad);
         sampled += error * error.transpose() / samples;
     }
     EXPECT_NEAR(sampled(0, 0) / nominal.covariance(0, 0), 1.0, 0.05);

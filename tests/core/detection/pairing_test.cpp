@@ -28,7 +28,9 @@ std::size_t pairs(const EdgeLine& left, const EdgeLine& right, const PairingPara
     return pair_edges({left}, {right}, frame(), gamma_times_diameter, parameters).size();
 }
 
-PairMeasures measures(const EdgeLine& left, const EdgeLine& right) { return compare_edges(left, right, width, height, 0.2); }
+PairMeasures measures(const EdgeLine& left, const EdgeLine& right) {
+    return compare_edges(left, right, width, height, 0.2);
+}
 
 const EdgeLine left_edge = edge({300, 100}, {300, 300});
 
@@ -122,7 +124,8 @@ TEST(Pairing, WithoutPermissivenessTakesNothing) {
 
 TEST(Pairing, UsesEachLineOnceAndPrefersTheMostAlike) {
     const std::vector<EdgeLine> left{edge({300, 100}, {300, 300}), edge({500, 100}, {500, 300})};
-    const std::vector<EdgeLine> right{edge({325, 110}, {325, 300}), edge({520, 100}, {520, 300}), edge({320, 100}, {320, 300})};
+    const std::vector<EdgeLine> right{edge({325, 110}, {325, 300}), edge({520, 100}, {520, 300}),
+                                      edge({320, 100}, {320, 300})};
     const auto found = pair_edges(left, right, frame(), gamma_times_diameter, {});
     ASSERT_EQ(found.size(), 2U);
     for (const auto& [l, r] : found) EXPECT_EQ(r, l == 0 ? 2U : 1U);
@@ -150,7 +153,9 @@ TEST(Pairing, RejectsPostsWithALongHoleWhereTold) {
     }
     EXPECT_NEAR(largest_hole(left_edge.segment, right.segment, candidates), (232.0 - 148.0) / 200.0, 1e-9);
     PairingParameters parameters;
-    const auto accepted = [&] { return pair_edges({left_edge}, {right}, candidates, gamma_times_diameter, parameters).size(); };
+    const auto accepted = [&] {
+        return pair_edges({left_edge}, {right}, candidates, gamma_times_diameter, parameters).size();
+    };
     EXPECT_EQ(accepted(), 1U);
     parameters.largest_hole = 0.43;
     EXPECT_EQ(accepted(), 1U);

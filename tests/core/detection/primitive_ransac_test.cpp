@@ -1,34 +1,39 @@
 #include "core/detection/primitive_ransac.h"
 
+#include "core/detection/edge_lines.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include <gtest/gtest.h>
 
-#include "core/detection/edge_lines.h"
-
 namespace goalmouth {
 namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-Points points_on(const Eigen::Vector2d& from, const Eigen::Vector2d& to, int count, double noise, Random& random) {
+Points points_on(const Eigen::Vector2d& from, const Eigen::Vector2d& to, int count, double noise,
+                 Random& random) {
     Points points;
     for (int i = 0; i < count; ++i) {
-        points.push_back(from + (to - from) * i / (count - 1) + noise * Eigen::Vector2d(random.normal(), random.normal()));
+        points.push_back(from + (to - from) * i / (count - 1) +
+                         noise * Eigen::Vector2d(random.normal(), random.normal()));
     }
     return points;
 }
 
-void append(Points& to, const Points& from) { to.insert(to.end(), from.begin(), from.end()); }
+void append(Points& to, const Points& from) {
+    to.insert(to.end(), from.begin(), from.end());
+}
 
 void add_outliers(Points& points, int count, Random& random) {
     for (int i = 0; i < count; ++i) points.emplace_back(random.uniform(0, 640), random.uniform(0, 480));
 }
 
 void shuffle(Points& points, Random& random) {
-    for (std::size_t i = points.size(); i > 1; --i) std::swap(points[i - 1], points[random.index(static_cast<std::uint32_t>(i))]);
+    for (std::size_t i = points.size(); i > 1; --i)
+        std::swap(points[i - 1], points[random.index(static_cast<std::uint32_t>(i))]);
 }
 
 bool close_to(const EdgeLine& found, const Line& truth, double angle, double shift) {
@@ -36,8 +41,8 @@ bool close_to(const EdgeLine& found, const Line& truth, double angle, double shi
 }
 
 TEST(Ransac, FindsThreeLinesAmongHalfOutliers) {
-    // k = 50 is meant for the paper's mild outliers; with half of the points outliers and three lines a hypothesis is right one time in
-    // 36, so the attempts go up until a miss is one in a million.
+    // k = 50 is meant for the paper's mild outliers; with half of the points outliers and three lines a
+    // hypothesis is right one time in 36, so the attempts go up until a miss is one in a million.
     RansacParameters parameters;
     parameters.attempts = 500;
     parameters.inlier_distance = 3.0;
@@ -56,7 +61,9 @@ TEST(Ransac, FindsThreeLinesAmongHalfOutliers) {
         const auto lines = find_lines(points, parameters, random);
         ASSERT_EQ(lines.size(), 3U);
         for (const Line& line : truth) {
-            EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [&](const EdgeLine& f) { return close_to(f, line, 0.015, 1.5); })) << "seed " << seed;
+            EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
+                                    [&](const EdgeLine& f) { return close_to(f, line, 0.015, 1.5); }))
+                << "seed " << seed;
         }
     }
 }
@@ -99,7 +106,8 @@ TEST(Ransac, StopsAtTheMaximumNumberOfModels) {
     // |L| = M_max ends the search, not |P_best| as the text has it.
     Random random(1);
     Points points;
-    for (int i = 0; i < 6; ++i) append(points, points_on({50.0 + 100.0 * i, 0}, {50.0 + 100.0 * i, 470}, 40, 0.0, random));
+    for (int i = 0; i < 6; ++i)
+        append(points, points_on({50.0 + 100.0 * i, 0}, {50.0 + 100.0 * i, 470}, 40, 0.0, random));
     RansacParameters parameters;
     parameters.attempts = 1000;
     for (int most = 1; most <= 7; ++most) {
@@ -138,7 +146,9 @@ TEST(Ransac, IsDeterminedBySeedAndFindsTheSameLinesInAnyOrderOfThePoints) {
         shuffle(points, source);
         const auto lines = find_lines(points, {}, source);
         ASSERT_EQ(lines.size(), 2U);
-        for (const auto& line : lines) EXPECT_TRUE(close_to(line, first[0].segment.line, 0.01, 1.0) || close_to(line, first[1].segment.line, 0.01, 1.0));
+        for (const auto& line : lines)
+            EXPECT_TRUE(close_to(line, first[0].segment.line, 0.01, 1.0) ||
+                        close_to(line, first[1].segment.line, 0.01, 1.0));
     }
 }
 
@@ -168,7 +178,8 @@ struct Circle {
 TEST(Ransac, FitsAnyPrimitive) {
     Random random(2);
     Points points;
-    for (int i = 0; i < 60; ++i) points.emplace_back(300 + 80 * std::cos(0.1 * i), 200 + 80 * std::sin(0.1 * i));
+    for (int i = 0; i < 60; ++i)
+        points.emplace_back(300 + 80 * std::cos(0.1 * i), 200 + 80 * std::sin(0.1 * i));
     add_outliers(points, 30, random);
     RansacParameters parameters;
     parameters.attempts = 300;

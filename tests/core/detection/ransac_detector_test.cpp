@@ -7,7 +7,8 @@
 namespace goalmouth {
 namespace {
 
-/// Rows of a post that leans by `lean` px a row (+ = the foot lies further right), cut by the image's borders.
+/// Rows of a post that leans by `lean` px a row (+ = the foot lies further right), cut by the image's
+/// borders.
 void add_post(Candidates& c, double left, double right, double lean, int top, int bottom) {
     for (int y = top; y <= bottom; y += 4) {
         const double l = left + lean * (y - top);
@@ -151,7 +152,8 @@ TEST(RansacDetector, AnswersFinitelyToNoise) {
             c.left_edges.emplace_back(random.uniform(0, 640), random.index(120) * 4.0);
             c.right_edges.emplace_back(random.uniform(0, 640), random.index(120) * 4.0);
             const int start = static_cast<int>(random.index(600));
-            c.segments.push_back({Orientation::horizontal, static_cast<int>(random.index(480)), start, start + static_cast<int>(random.index(40))});
+            c.segments.push_back({Orientation::horizontal, static_cast<int>(random.index(480)), start,
+                                  start + static_cast<int>(random.index(40))});
         }
         for (const Post& post : detect(c, seed)) {
             EXPECT_TRUE(post.covariance.allFinite());

@@ -10,7 +10,8 @@ void add_column(Segments& segments, int x, const std::vector<std::pair<Colour, i
     ScanLine line{Orientation::vertical, x, static_cast<int>(segments.segments.size()), 0};
     int y = 0;
     for (const auto& [colour, length] : runs) {
-        segments.segments.push_back({static_cast<std::int16_t>(y), static_cast<std::int16_t>(y + length - 1), colour, static_cast<float>(y) - 0.5F});
+        segments.segments.push_back({static_cast<std::int16_t>(y), static_cast<std::int16_t>(y + length - 1),
+                                     colour, static_cast<float>(y) - 0.5F});
         y += length;
         ++line.count;
     }
@@ -38,7 +39,12 @@ TEST(Border, IsTheHullOfTheFirstLongGreenRuns) {
 TEST(Border, NeedsARunOfTheThreshold) {
     Segments segments;
     segments.width = segments.height = 100;
-    add_column(segments, 10, {{Colour::unclassified, 10}, {Colour::field, 4}, {Colour::unclassified, 6}, {Colour::field, 5}, {Colour::line, 75}});
+    add_column(segments, 10,
+               {{Colour::unclassified, 10},
+                {Colour::field, 4},
+                {Colour::unclassified, 6},
+                {Colour::field, 5},
+                {Colour::line, 75}});
     EXPECT_EQ(find_border(segments, {5}).points.front(), Eigen::Vector2d(10, 20));
     EXPECT_EQ(find_border(segments, {4}).points.front(), Eigen::Vector2d(10, 10));
     EXPECT_TRUE(find_border(segments, {6}).empty());

@@ -8,7 +8,8 @@
 namespace goalmouth {
 namespace {
 
-/// Segments of a labelled picture on every 4th row and column; transitions lie `shift` px right of (below) the pixel border.
+/// Segments of a labelled picture on every 4th row and column; transitions lie `shift` px right of (below)
+/// the pixel border.
 Segments segments_of(int width, int height, const std::function<Colour(int, int)>& label, float shift = 0.F) {
     Segments segments;
     segments.width = width;
@@ -16,9 +17,11 @@ Segments segments_of(int width, int height, const std::function<Colour(int, int)
     const auto add = [&](Orientation orientation, int position, int size) {
         ScanLine line{orientation, position, static_cast<int>(segments.segments.size()), 0};
         for (int i = 0; i < size; ++i) {
-            const Colour colour = orientation == Orientation::horizontal ? label(i, position) : label(position, i);
+            const Colour colour =
+                orientation == Orientation::horizontal ? label(i, position) : label(position, i);
             if (i == 0 || colour != segments.segments.back().colour) {
-                segments.segments.push_back({static_cast<std::int16_t>(i), 0, colour, static_cast<float>(i) - 0.5F + (i > 0 ? shift : 0.F)});
+                segments.segments.push_back({static_cast<std::int16_t>(i), 0, colour,
+                                             static_cast<float>(i) - 0.5F + (i > 0 ? shift : 0.F)});
                 ++line.count;
             }
             segments.segments.back().end = static_cast<std::int16_t>(i);
@@ -30,7 +33,9 @@ Segments segments_of(int width, int height, const std::function<Colour(int, int)
     return segments;
 }
 
-bool in(int v, int first, int last) { return v >= first && v <= last; }
+bool in(int v, int first, int last) {
+    return v >= first && v <= last;
+}
 
 /// A field from y = 60 down, and a post at x 40…49, y 20…79.
 Colour scene(int x, int y) {
@@ -51,14 +56,17 @@ TEST(Extraction, GivesBothEdgesOfAPostOnEveryRow) {
         EXPECT_NEAR(found.right_edges[i].x(), 49.75, 1e-6);
         EXPECT_EQ(found.left_edges[i].y(), 22.0 + 4.0 * static_cast<double>(i));
     }
-    const auto vertical = std::count_if(found.segments.begin(), found.segments.end(), [](const auto& s) { return s.orientation == Orientation::vertical; });
+    const auto vertical = std::count_if(found.segments.begin(), found.segments.end(),
+                                        [](const auto& s) { return s.orientation == Orientation::vertical; });
     EXPECT_EQ(vertical, 2);
     EXPECT_EQ(found.width, 120);
     EXPECT_EQ(found.height, 100);
 }
 
 TEST(Extraction, RejectsOtherColoursAndShortAndLongSegments) {
-    EXPECT_TRUE(extract(segments_of(120, 100, [](int x, int) { return x < 60 ? Colour::ball : Colour::field; })).segments.empty());
+    EXPECT_TRUE(extract(segments_of(120, 100, [](int x, int) {
+                    return x < 60 ? Colour::ball : Colour::field;
+                })).segments.empty());
     CandidateParameters parameters;
     parameters.shortest = 11;
     EXPECT_TRUE(extract(segments_of(120, 100, scene), parameters).left_edges.empty());
@@ -69,7 +77,9 @@ TEST(Extraction, RejectsOtherColoursAndShortAndLongSegments) {
 }
 
 TEST(Extraction, RejectsWhatDoesNotReachTheField) {
-    const auto with_poster = [](int x, int y) { return in(x, 80, 99) && in(y, 10, 40) ? Colour::goal : scene(x, y); };
+    const auto with_poster = [](int x, int y) {
+        return in(x, 80, 99) && in(y, 10, 40) ? Colour::goal : scene(x, y);
+    };
     const Segments segments = segments_of(120, 100, with_poster);
     EXPECT_EQ(extract(segments).left_edges.size(), 15U);
     CandidateParameters parameters;
@@ -78,7 +88,9 @@ TEST(Extraction, RejectsWhatDoesNotReachTheField) {
 }
 
 TEST(Extraction, RejectsRegionsOfFewRows) {
-    const auto with_speck = [](int x, int y) { return in(x, 80, 89) && in(y, 70, 84) ? Colour::goal : scene(x, y); };
+    const auto with_speck = [](int x, int y) {
+        return in(x, 80, 89) && in(y, 70, 84) ? Colour::goal : scene(x, y);
+    };
     const Segments segments = segments_of(120, 100, with_speck);  // four rows
     EXPECT_EQ(extract(segments).left_edges.size(), 15U);
     CandidateParameters parameters;
@@ -89,31 +101,43 @@ TEST(Extraction, RejectsRegionsOfFewRows) {
 }
 
 TEST(Extraction, KeepsACrossbarThatHangsOnAPost) {
-    const auto goal = [](int x, int y) { return in(x, 40, 109) && in(y, 12, 19) ? Colour::goal : scene(x, y); };
+    const auto goal = [](int x, int y) {
+        return in(x, 40, 109) && in(y, 12, 19) ? Colour::goal : scene(x, y);
+    };
     const Candidates found = extract(segments_of(120, 100, goal));
     EXPECT_EQ(found.left_edges.size(), 17U);
-    EXPECT_TRUE(std::any_of(found.segments.begin(), found.segments.end(), [](const auto& s) { return s.orientation == Orientation::vertical && s.line == 90; }));
+    EXPECT_TRUE(std::any_of(found.segments.begin(), found.segments.end(), [](const auto& s) {
+        return s.orientation == Orientation::vertical && s.line == 90;
+    }));
 }
 
 TEST(Extraction, JudgesNoPositionsWithoutAField) {
-    const auto post = [](int x, int y) { return in(x, 40, 49) && in(y, 20, 50) ? Colour::goal : Colour::unclassified; };
+    const auto post = [](int x, int y) {
+        return in(x, 40, 49) && in(y, 20, 50) ? Colour::goal : Colour::unclassified;
+    };
     EXPECT_EQ(extract(segments_of(120, 100, post)).left_edges.size(), 8U);
 }
 
 TEST(Extraction, BridgesGapsAndSkippedRows) {
-    const auto holed = [](int x, int y) { return in(x, 44, 45) || in(y, 40, 47) ? (in(x, 40, 49) && y < 80 ? Colour::unclassified : scene(x, y)) : scene(x, y); };
+    const auto holed = [](int x, int y) {
+        return in(x, 44, 45) || in(y, 40, 47) ? (in(x, 40, 49) && y < 80 ? Colour::unclassified : scene(x, y))
+                                              : scene(x, y);
+    };
     const Candidates found = extract(segments_of(120, 100, holed));
     EXPECT_EQ(found.left_edges.size(), 13U);
     for (const auto& p : found.right_edges) EXPECT_NEAR(p.x(), 49.5, 1e-6);
     CandidateParameters parameters;
     parameters.largest_gap = 1;
-    EXPECT_EQ(extract(segments_of(120, 100, holed), parameters).left_edges.size(), 13U);  // 2 px of 8: gap_share
+    EXPECT_EQ(extract(segments_of(120, 100, holed), parameters).left_edges.size(),
+              13U);  // 2 px of 8: gap_share
     parameters.gap_share = 0.2;
     EXPECT_EQ(extract(segments_of(120, 100, holed), parameters).left_edges.size(), 26U);
 }
 
 TEST(Extraction, GivesNoEdgePointAtTheImageBorder) {
-    const auto at_left = [](int x, int y) { return x < 20 ? Colour::goal : y >= 60 ? Colour::field : Colour::unclassified; };
+    const auto at_left = [](int x, int y) {
+        return x < 20 ? Colour::goal : y >= 60 ? Colour::field : Colour::unclassified;
+    };
     const Candidates found = extract(segments_of(120, 100, at_left));
     EXPECT_TRUE(found.left_edges.empty());
     EXPECT_EQ(found.right_edges.size(), 25U);

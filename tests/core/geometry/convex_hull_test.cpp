@@ -15,7 +15,8 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Ve
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-/// The definition, in cubic time: a highest point of its column is a vertex unless some chord of the others passes at or above it.
+/// The definition, in cubic time: a highest point of its column is a vertex unless some chord of the others
+/// passes at or above it.
 Points brute_force(const Points& points) {
     Points vertices;
     for (const auto& p : points) {
@@ -29,7 +30,9 @@ Points brute_force(const Points& points) {
         if (!beaten) vertices.push_back(p);
     }
     std::sort(vertices.begin(), vertices.end(), [](const auto& a, const auto& b) { return a.x() < b.x(); });
-    vertices.erase(std::unique(vertices.begin(), vertices.end(), [](const auto& a, const auto& b) { return a.x() == b.x(); }), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end(),
+                               [](const auto& a, const auto& b) { return a.x() == b.x(); }),
+                   vertices.end());
     return vertices;
 }
 
@@ -39,9 +42,13 @@ TEST(UpperHull, OfNothingOnePointAndEqualPoints) {
     EXPECT_EQ(upper_hull({{3, 4}, {3, 4}, {3, 4}}), (Points{{3, 4}}));
 }
 
-TEST(UpperHull, OfAVerticalSetIsItsHighestPoint) { EXPECT_EQ(upper_hull({{3, 9}, {3, 4}, {3, 7}}), (Points{{3, 4}})); }
+TEST(UpperHull, OfAVerticalSetIsItsHighestPoint) {
+    EXPECT_EQ(upper_hull({{3, 9}, {3, 4}, {3, 7}}), (Points{{3, 4}}));
+}
 
-TEST(UpperHull, OfALineIsItsEnds) { EXPECT_EQ(upper_hull({{2, 20}, {0, 0}, {1, 10}, {3, 30}}), (Points{{0, 0}, {3, 30}})); }
+TEST(UpperHull, OfALineIsItsEnds) {
+    EXPECT_EQ(upper_hull({{2, 20}, {0, 0}, {1, 10}, {3, 30}}), (Points{{0, 0}, {3, 30}}));
+}
 
 TEST(UpperHull, BulgesTowardsSmallerY) {
     // A field corner points up in the image; a dent below the border is no vertex.
@@ -53,7 +60,8 @@ TEST(UpperHull, AgreesWithTheDefinitionOnRandomSets) {
     std::mt19937 random(7);
     for (int trial = 0; trial < 300; ++trial) {
         const int count = 1 + trial % 25;
-        std::uniform_int_distribution<int> coordinate(0, 3 + trial % 40);  // small ranges force ties and collinear points
+        std::uniform_int_distribution<int> coordinate(
+            0, 3 + trial % 40);  // small ranges force ties and collinear points
         Points points;
         for (int i = 0; i < count; ++i) points.emplace_back(coordinate(random), coordinate(random));
         EXPECT_EQ(upper_hull(points), brute_force(points)) << "trial " << trial;

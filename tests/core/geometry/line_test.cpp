@@ -21,10 +21,13 @@ TEST(Line, ThroughTwoPointsContainsBoth) {
     EXPECT_NEAR(line->normal.norm(), 1.0, 1e-15);
 }
 
-TEST(Line, ThroughEqualPointsDoesNotExist) { EXPECT_FALSE(line_through({3.0, 4.0}, {3.0, 4.0})); }
+TEST(Line, ThroughEqualPointsDoesNotExist) {
+    EXPECT_FALSE(line_through({3.0, 4.0}, {3.0, 4.0}));
+}
 
 TEST(Line, SignedDistanceIsPositiveToTheRightWhicheverWayThePointsCome) {
-    for (const auto& line : {line_through({5.0, 0.0}, {7.0, 100.0}), line_through({7.0, 100.0}, {5.0, 0.0})}) {
+    for (const auto& line :
+         {line_through({5.0, 0.0}, {7.0, 100.0}), line_through({7.0, 100.0}, {5.0, 0.0})}) {
         ASSERT_TRUE(line);
         EXPECT_GT(line->signed_distance({50.0, 50.0}), 0.0);
         EXPECT_GT(line->direction().y(), 0.0);
@@ -63,7 +66,9 @@ TEST(Line, FitLeavesTheLeastSumOfSquares) {
         const double angle = trial * std::numbers::pi / 50.0;
         const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
         Points points;
-        for (int i = 0; i < 40; ++i) points.push_back(Eigen::Vector2d(300, 200) + 5.0 * i * along + Eigen::Vector2d(noise(random), noise(random)));
+        for (int i = 0; i < 40; ++i)
+            points.push_back(Eigen::Vector2d(300, 200) + 5.0 * i * along +
+                             Eigen::Vector2d(noise(random), noise(random)));
         const auto cost = [&](const Line& line) {
             double sum = 0.0;
             for (const auto& p : points) sum += std::pow(line.distance(p), 2);

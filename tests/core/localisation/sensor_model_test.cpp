@@ -21,7 +21,7 @@ Pose2 random_pose(Random& random) {
 
 /// The sum over one-to-one assignments, written out.
 double brute_force(const Pose2& pose, const FrameObservation& frame, const Field& field,
-                   const SensorParameters& p) {
+                   const SensorModelParameters& p) {
     const Eigen::Vector2d camera = transform(pose, frame.camera);
     std::function<double(std::size_t, unsigned)> rest = [&](std::size_t i, unsigned taken) -> double {
         if (i == frame.posts.size()) return 1.0;
@@ -56,7 +56,7 @@ double brute_force(const Pose2& pose, const FrameObservation& frame, const Field
 
 TEST(SensorModel, SumsOverAllOneToOneAssignments) {
     const Field field;
-    const SensorParameters p;
+    const SensorModelParameters p;
     const SensorModel model(field, p);
     Random random(1);
     for (int trial = 0; trial < 300; ++trial) {
@@ -159,7 +159,7 @@ TEST(SensorModel, StaysFiniteWherePosesAndPostsMakeNoSense) {
 }
 
 TEST(SensorModel, NewsOfAFrameGrowsWithTheTimeSinceTheLast) {
-    SensorParameters p;
+    SensorModelParameters p;
     p.correlation_time = 0.5;
     const SensorModel model(Field{}, p);
     EXPECT_EQ(model.news(0.0), 0.0);

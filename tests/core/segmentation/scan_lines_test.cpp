@@ -9,7 +9,8 @@ namespace goalmouth {
 namespace {
 
 bool strictly_ascending_within(const std::vector<int>& positions, int size) {
-    return std::adjacent_find(positions.begin(), positions.end(), std::greater_equal<>()) == positions.end() &&
+    return std::adjacent_find(positions.begin(), positions.end(), std::greater_equal<>()) ==
+               positions.end() &&
            (positions.empty() || (positions.front() >= 0 && positions.back() < size));
 }
 
@@ -20,7 +21,8 @@ TEST(ScanLines, AreEquidistantInTheImage) {
     const ScanLayout layout = image_layout(640, 480, parameters);
     EXPECT_EQ(layout.rows.size(), 96U);
     for (std::size_t i = 1; i < layout.rows.size(); ++i) EXPECT_EQ(layout.rows[i] - layout.rows[i - 1], 5);
-    for (std::size_t i = 1; i < layout.columns.size(); ++i) EXPECT_EQ(layout.columns[i] - layout.columns[i - 1], 11);
+    for (std::size_t i = 1; i < layout.columns.size(); ++i)
+        EXPECT_EQ(layout.columns[i] - layout.columns[i - 1], 11);
     EXPECT_LT(layout.columns.front(), 11);
     EXPECT_GE(layout.columns.back(), 640 - 11);
 }
@@ -48,7 +50,8 @@ TEST(ScanLines, AreEquidistantOnTheFieldWhereTheImageCanShowIt) {
     for (std::size_t i = 1; i < layout.rows.size(); ++i) {
         const auto far = ground_point(camera, T_BC, {319.5, static_cast<double>(layout.rows[i - 1])});
         const auto near = ground_point(camera, T_BC, {319.5, static_cast<double>(layout.rows[i])});
-        const auto beyond = ground_point(camera, T_BC, {319.5, static_cast<double>(layout.rows[i - 1]) + 1.0});
+        const auto beyond =
+            ground_point(camera, T_BC, {319.5, static_cast<double>(layout.rows[i - 1]) + 1.0});
         if (!far || !near || !beyond || far->norm() > 2.0) continue;
         const double one_row = (*far - *beyond).norm();
         EXPECT_GE((*far - *near).norm(), 0.2 - 1e-9);

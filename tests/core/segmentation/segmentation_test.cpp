@@ -1,13 +1,13 @@
 #include "core/segmentation/segmentation.h"
 
+#include "core/random/random.h"
+#include "core/segmentation/transition.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include <gtest/gtest.h>
-
-#include "core/random/random.h"
-#include "core/segmentation/transition.h"
 
 namespace goalmouth {
 namespace {
@@ -21,7 +21,8 @@ ColourTable two_colour_table() {
     for (int y = 0; y < 256; ++y) {
         for (int cb = 0; cb < 256; ++cb) {
             for (int cr = 0; cr < 256; ++cr) {
-                const Ycbcr p{static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(cb), static_cast<std::uint8_t>(cr)};
+                const Ycbcr p{static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(cb),
+                              static_cast<std::uint8_t>(cr)};
                 table.set(p, cb < 75 ? Colour::goal : Colour::field);
             }
         }
@@ -29,8 +30,9 @@ ColourTable two_colour_table() {
     return table;
 }
 
-
-std::uint8_t rounded(double value) { return static_cast<std::uint8_t>(std::lround(value)); }
+std::uint8_t rounded(double value) {
+    return static_cast<std::uint8_t>(std::lround(value));
+}
 
 /// 4:2:2 image of yellow(x, y) ∈ [0, 1], the share of yellow in a pixel; chroma is its pair's mean.
 YuyvImage render(int width, int height, const std::function<double(int, int)>& share) {
@@ -53,7 +55,8 @@ YuyvImage render(int width, int height, const std::function<double(int, int)>& s
 /// Share of a pixel right of an edge blurred by σ, averaged over the pixel.
 double blurred(double pixel, double edge, double sigma) {
     double sum = 0.0;
-    for (int i = 0; i < 20; ++i) sum += 0.5 * std::erfc((edge - (pixel - 0.475 + 0.05 * i)) / (sigma * std::sqrt(2.0)));
+    for (int i = 0; i < 20; ++i)
+        sum += 0.5 * std::erfc((edge - (pixel - 0.475 + 0.05 * i)) / (sigma * std::sqrt(2.0)));
     return sum / 20.0;
 }
 
@@ -98,7 +101,8 @@ TEST(Segmentation, SegmentsCoverEveryLineOfANoiseImage) {
     for (const auto& [width, height] : {std::pair{64, 48}, {63, 47}, {1, 1}, {1, 9}, {9, 1}, {2, 2}}) {
         YuyvImage image(width, height);
         for (auto& byte : image.data) byte = static_cast<std::uint8_t>(random.index(256));
-        const Segments segments = segment_frame(image.view(), two_colour_table(), image_layout(width, height, {}));
+        const Segments segments =
+            segment_frame(image.view(), two_colour_table(), image_layout(width, height, {}));
         expect_lines_covered(segments);
     }
 }
@@ -115,7 +119,9 @@ TEST(Segmentation, EveryPixelHasTheTablesClass) {
             const Segment& s = segments.segments[static_cast<std::size_t>(i)];
             for (int at = s.start; at <= s.end; ++at) {
                 const bool row = line.orientation == Orientation::horizontal;
-                EXPECT_EQ(table.at(row ? image.view().at(at, line.position) : image.view().at(line.position, at)), s.colour);
+                EXPECT_EQ(
+                    table.at(row ? image.view().at(at, line.position) : image.view().at(line.position, at)),
+                    s.colour);
             }
         }
     }
@@ -141,7 +147,8 @@ TEST(Segmentation, ReadsImagesWithGapsBetweenRows) {
     const Segments a = segment_frame(packed.view(), two_colour_table(), layout);
     const Segments b = segment_frame({padded.data(), 20, 6, 64}, two_colour_table(), layout);
     ASSERT_EQ(a.segments.size(), b.segments.size());
-    for (std::size_t i = 0; i < a.segments.size(); ++i) EXPECT_EQ(a.segments[i].transition, b.segments[i].transition);
+    for (std::size_t i = 0; i < a.segments.size(); ++i)
+        EXPECT_EQ(a.segments[i].transition, b.segments[i].transition);
 }
 
 struct Errors {
@@ -188,7 +195,8 @@ TEST(Transition, IsWhereTheEdgeIsThoughTheClassChangesElsewhere) {
     const double edge = 30.3;
     const YuyvImage image = render(60, 4, [&](int x, int) { return blurred(x, edge, 0.6); });
     for (const int boundary : {30, 31, 32}) {
-        EXPECT_NEAR(locate_transition(image.view(), Orientation::horizontal, 1, boundary), edge, 0.15) << boundary;
+        EXPECT_NEAR(locate_transition(image.view(), Orientation::horizontal, 1, boundary), edge, 0.15)
+            << boundary;
     }
 }
 
@@ -197,7 +205,8 @@ TEST(Transition, OfAThinPostKeepsItsWidth) {
         double sum = 0.0;
         int count = 0;
         for (double left = 20.0; left < 22.0; left += 0.1, ++count) {
-            const YuyvImage image = render(60, 4, [&](int x, int) { return blurred(x, left, 0.5) - blurred(x, left + width, 0.5); });
+            const YuyvImage image = render(
+                60, 4, [&](int x, int) { return blurred(x, left, 0.5) - blurred(x, left + width, 0.5); });
             const Segments segments = segment_frame(image.view(), two_colour_table(), {{2}, {}});
             ASSERT_EQ(segments.segments.size(), 3U);
             const double found = segments.segments[2].transition - segments.segments[1].transition;

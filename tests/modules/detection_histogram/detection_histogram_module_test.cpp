@@ -1,15 +1,15 @@
 #include "modules/detection_histogram/detection_histogram_module.h"
 
-#include <vector>
-
-#include <goalmouth/posts_t.hpp>
-#include <gtest/gtest.h>
-
 #include "core/conversion/candidates.h"
 #include "core/messaging/channels.h"
 #include "core/messaging/memory_bus.h"
 #include "core/messaging/typed.h"
 #include "core/process/configuration.h"
+
+#include <vector>
+
+#include <goalmouth/posts_t.hpp>
+#include <gtest/gtest.h>
 
 namespace goalmouth {
 namespace {
@@ -20,7 +20,8 @@ std::vector<posts_t> detect(const Candidates& candidates) {
     ModuleContext context{hub.endpoint("detection"), status, "detection", 1, {}};
     HistogramDetectionModule module(context, {});
     std::vector<posts_t> heard;
-    subscribe<posts_t>(hub.endpoint("listener"), channels::posts, [&](const posts_t& m) { heard.push_back(m); });
+    subscribe<posts_t>(hub.endpoint("listener"), channels::posts,
+                       [&](const posts_t& m) { heard.push_back(m); });
     publish(hub.endpoint("extraction"), channels::candidates, to_message(candidates, 5, 6, Intrinsics{}));
     hub.run_until_idle();
     EXPECT_EQ(status.outputs(), 1);
@@ -45,10 +46,12 @@ TEST(HistogramDetectionModule, PublishesThatThereIsNothing) {
 }
 
 TEST(HistogramDetectionModule, DocumentsEveryParameterInItsFile) {
-    const auto file = std::filesystem::path(GOALMOUTH_SOURCE_DIR) / "config" / "modules" / "detection_histogram.yaml";
+    const auto file =
+        std::filesystem::path(GOALMOUTH_SOURCE_DIR) / "config" / "modules" / "detection_histogram.yaml";
     const auto loaded = list_parameters(load_parameters<HistogramDetectionModule::Parameters>(file));
     const auto defaults = list_parameters<HistogramDetectionModule::Parameters>();
-    for (std::size_t i = 0; i < loaded.size(); ++i) EXPECT_EQ(loaded[i].value, defaults[i].value) << loaded[i].key;
+    for (std::size_t i = 0; i < loaded.size(); ++i)
+        EXPECT_EQ(loaded[i].value, defaults[i].value) << loaded[i].key;
 }
 
 }  // namespace

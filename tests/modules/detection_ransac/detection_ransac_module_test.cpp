@@ -1,11 +1,5 @@
 #include "modules/detection_ransac/detection_ransac_module.h"
 
-#include <memory>
-#include <vector>
-
-#include <goalmouth/posts_t.hpp>
-#include <gtest/gtest.h>
-
 #include "core/conversion/candidates.h"
 #include "core/imaging/colour_table_file.h"
 #include "core/messaging/channels.h"
@@ -17,6 +11,12 @@
 #include "tests/support/data.h"
 #include "tests/support/post_scene.h"
 
+#include <memory>
+#include <vector>
+
+#include <goalmouth/posts_t.hpp>
+#include <gtest/gtest.h>
+
 namespace goalmouth {
 namespace {
 
@@ -25,7 +25,8 @@ using namespace goalmouth::test;
 /// A module with what it needs, on a hub.
 template <class M>
 struct Running {
-    Running(MemoryHub& hub, const std::string& name, std::uint64_t seed, const typename M::Parameters& parameters)
+    Running(MemoryHub& hub, const std::string& name, std::uint64_t seed,
+            const typename M::Parameters& parameters)
         : context{hub.endpoint(name), status, name, seed, {}}, module(context, parameters) {}
     Status status;
     ModuleContext context;
@@ -41,7 +42,8 @@ std::vector<posts_t> run_chain(std::uint64_t seed, int frames) {
 
     MemoryHub hub;
     std::vector<posts_t> heard;
-    subscribe<posts_t>(hub.endpoint("listener"), channels::posts, [&](const posts_t& m) { heard.push_back(m); });
+    subscribe<posts_t>(hub.endpoint("listener"), channels::posts,
+                       [&](const posts_t& m) { heard.push_back(m); });
     Running<SegmentationModule> first(hub, "segmentation", seed, segmentation);
     Running<ExtractionModule> second(hub, "extraction", seed, {});
     Running<RansacDetectionModule> third(hub, "detection", seed, {});
@@ -81,7 +83,8 @@ TEST(RansacDetectionModule, SameSeedSameBytes) {
 TEST(RansacDetectionModule, PublishesThatThereIsNothing) {
     MemoryHub hub;
     std::vector<posts_t> heard;
-    subscribe<posts_t>(hub.endpoint("listener"), channels::posts, [&](const posts_t& m) { heard.push_back(m); });
+    subscribe<posts_t>(hub.endpoint("listener"), channels::posts,
+                       [&](const posts_t& m) { heard.push_back(m); });
     Running<RansacDetectionModule> module(hub, "detection", 1, {});
     publish(hub.endpoint("extraction"), channels::candidates, to_message(Candidates{}, 5, 6, Intrinsics{}));
     hub.run_until_idle();
@@ -100,10 +103,13 @@ TEST(RansacDetectionModule, TakesTheDiameterFromTheField) {
 
 TEST(RansacDetectionModule, DocumentsEveryParameterInItsFiles) {
     const auto folder = std::filesystem::path(GOALMOUTH_SOURCE_DIR) / "config" / "modules";
-    const auto loaded = list_parameters(load_parameters<RansacDetectionModule::Parameters>(folder / "detection_ransac.yaml"));
+    const auto loaded =
+        list_parameters(load_parameters<RansacDetectionModule::Parameters>(folder / "detection_ransac.yaml"));
     const auto defaults = list_parameters<RansacDetectionModule::Parameters>();
-    for (std::size_t i = 0; i < loaded.size(); ++i) EXPECT_EQ(loaded[i].value, defaults[i].value) << loaded[i].key;
-    EXPECT_NO_THROW(load_parameters<RansacDetectionModule::Parameters>(folder / "detection_ransac_tuned.yaml"));
+    for (std::size_t i = 0; i < loaded.size(); ++i)
+        EXPECT_EQ(loaded[i].value, defaults[i].value) << loaded[i].key;
+    EXPECT_NO_THROW(
+        load_parameters<RansacDetectionModule::Parameters>(folder / "detection_ransac_tuned.yaml"));
 }
 
 }  // namespace

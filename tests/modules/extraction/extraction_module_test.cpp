@@ -1,11 +1,5 @@
 #include "modules/extraction/extraction_module.h"
 
-#include <vector>
-
-#include <goalmouth/border_t.hpp>
-#include <goalmouth/candidates_t.hpp>
-#include <gtest/gtest.h>
-
 #include "core/conversion/segments.h"
 #include "core/messaging/channels.h"
 #include "core/messaging/memory_bus.h"
@@ -13,6 +7,12 @@
 #include "core/process/configuration.h"
 #include "core/segmentation/segmentation.h"
 #include "tests/support/post_scene.h"
+
+#include <vector>
+
+#include <goalmouth/border_t.hpp>
+#include <goalmouth/candidates_t.hpp>
+#include <gtest/gtest.h>
 
 namespace goalmouth {
 namespace {
@@ -23,7 +23,8 @@ struct ExtractionModuleTest : testing::Test {
     ExtractionModuleTest() {
         Bus& listener = hub.endpoint("listener");
         subscribe<border_t>(listener, channels::border, [this](const border_t& m) { borders.push_back(m); });
-        subscribe<candidates_t>(listener, channels::candidates, [this](const candidates_t& m) { candidates.push_back(m); });
+        subscribe<candidates_t>(listener, channels::candidates,
+                                [this](const candidates_t& m) { candidates.push_back(m); });
     }
     MemoryHub hub;
     Status status;
@@ -36,7 +37,8 @@ struct ExtractionModuleTest : testing::Test {
 TEST_F(ExtractionModuleTest, FindsBorderAndEdgePoints) {
     const YuyvImage image = scene_image();
     const Intrinsics camera = scaled_to(Intrinsics{}, image.width, image.height);
-    const Segments segments = segment_frame(image.view(), scene_table(), image_layout(image.width, image.height, {}));
+    const Segments segments =
+        segment_frame(image.view(), scene_table(), image_layout(image.width, image.height, {}));
     publish(hub.endpoint("segmentation"), channels::segments, to_message(segments, 77, 7, camera, "scene"));
     hub.run_until_idle();
     ASSERT_EQ(borders.size(), 1U);
@@ -64,7 +66,8 @@ TEST_F(ExtractionModuleTest, DocumentsEveryParameterInItsFile) {
     const auto file = std::filesystem::path(GOALMOUTH_SOURCE_DIR) / "config" / "modules" / "extraction.yaml";
     const auto loaded = list_parameters(load_parameters<ExtractionModule::Parameters>(file));
     const auto defaults = list_parameters<ExtractionModule::Parameters>();
-    for (std::size_t i = 0; i < loaded.size(); ++i) EXPECT_EQ(loaded[i].value, defaults[i].value) << loaded[i].key;
+    for (std::size_t i = 0; i < loaded.size(); ++i)
+        EXPECT_EQ(loaded[i].value, defaults[i].value) << loaded[i].key;
 }
 
 }  // namespace

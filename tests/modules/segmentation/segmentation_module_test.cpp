@@ -1,9 +1,5 @@
 #include "modules/segmentation/segmentation_module.h"
 
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include "core/conversion/camera_pose.h"
 #include "core/conversion/segments.h"
 #include "core/imaging/colour_table_file.h"
@@ -15,6 +11,10 @@
 #include "tests/support/data.h"
 #include "tests/support/post_scene.h"
 
+#include <vector>
+
+#include <gtest/gtest.h>
+
 namespace goalmouth {
 namespace {
 
@@ -24,7 +24,8 @@ struct SegmentationModuleTest : testing::Test {
     SegmentationModuleTest() {
         parameters.colours = (folder.path() / "table.gmct").string();
         save_colour_table(scene_table(), parameters.colours);
-        subscribe<segments_t>(hub.endpoint("listener"), channels::segments, [this](const segments_t& m) { heard.push_back(m); });
+        subscribe<segments_t>(hub.endpoint("listener"), channels::segments,
+                              [this](const segments_t& m) { heard.push_back(m); });
     }
     TemporaryFolder folder;
     MemoryHub hub;
@@ -74,7 +75,8 @@ TEST_F(SegmentationModuleTest, SpacesLinesOnTheFieldOnceItKnowsTheCamera) {
     SegmentationModule module(context, parameters);
     publish(camera, channels::image, scene_message(0));
     hub.run_until_idle();
-    publish(camera, channels::kinematics, kinematics_message(camera_in_body(0.4, 0.0, 0.4), scene_message(1).utime, 1));
+    publish(camera, channels::kinematics,
+            kinematics_message(camera_in_body(0.4, 0.0, 0.4), scene_message(1).utime, 1));
     publish(camera, channels::image, scene_message(1));
     hub.run_until_idle();
     ASSERT_EQ(heard.size(), 2U);
@@ -84,7 +86,8 @@ TEST_F(SegmentationModuleTest, SpacesLinesOnTheFieldOnceItKnowsTheCamera) {
 TEST_F(SegmentationModuleTest, IgnoresACameraPoseYoungerThanTheFrame) {
     parameters.scan_lines.spacing = "field";
     SegmentationModule module(context, parameters);
-    publish(camera, channels::kinematics, kinematics_message(camera_in_body(0.4, 0.0, 0.4), scene_message(9).utime, 9));
+    publish(camera, channels::kinematics,
+            kinematics_message(camera_in_body(0.4, 0.0, 0.4), scene_message(9).utime, 9));
     publish(camera, channels::image, scene_message(0));
     hub.run_until_idle();
     ASSERT_EQ(heard.size(), 1U);
@@ -104,7 +107,8 @@ TEST_F(SegmentationModuleTest, SaysWhichTableIsMissing) {
 }
 
 TEST_F(SegmentationModuleTest, DocumentsEveryParameterInItsFile) {
-    const auto file = std::filesystem::path(GOALMOUTH_SOURCE_DIR) / "config" / "modules" / "segmentation.yaml";
+    const auto file =
+        std::filesystem::path(GOALMOUTH_SOURCE_DIR) / "config" / "modules" / "segmentation.yaml";
     const auto loaded = list_parameters(load_parameters<SegmentationModule::Parameters>(file));
     const auto defaults = list_parameters<SegmentationModule::Parameters>();
     ASSERT_EQ(loaded.size(), defaults.size());
