@@ -142,7 +142,7 @@ double fullest_receive_buffer(int port) {
 std::string multicast_advice() {
     return "this machine has no multicast route. As root: \"ip link set lo up; ip route add 224.0.0.0/4 dev "
            "lo\"; "
-           "or let the graph have a network of its own: \"goalmouth launch --private-network\"";
+           "or let the graph have a network of its own: \"goalmouth launch --network private\"";
 }
 
 }  // namespace goalmouth

@@ -30,6 +30,7 @@ using Kind = LauncherEvent::Kind;
 constexpr std::chrono::milliseconds longest_wait{50};
 constexpr int configuration_error = 2;  // exit code
 constexpr std::chrono::seconds patience_after_kill{5};
+constexpr std::chrono::seconds patience_with_listeners{3};  // foreign programs need not publish STATUS
 
 struct Slot {
     Child child;
@@ -113,7 +114,33 @@ struct Launcher::Impl {
              slot.last_end + " after " + seconds_text(lived) + "; starts again in " + seconds_text(pause));
     }
 
+    bool is_source(std::size_t i) const { return process(i).description.info.subscribes.empty(); }
+
+    /// Every process starts, but sources wait until the others listen: they would lose the first frames.
+    void start_all() {
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            if (is_source(i)) {
+                slots[i].state = ProcessState::waiting;
+                slots[i].next_start = Clock::now() + patience_with_listeners;
+            } else {
+                start(i);
+            }
+        }
+        start_due();
+    }
+
+    /// A process listens by the time it reports for the first time.
+    void start_sources_once_heard() {
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            if (!is_source(i) && slots[i].runs() && !slots[i].status) return;
+        }
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            if (is_source(i) && slots[i].starts == 0) slots[i].next_start = Clock::now();
+        }
+    }
+
     void start_due() {
+        start_sources_once_heard();
         for (std::size_t i = 0; i < slots.size(); ++i) {
             if (slots[i].state == ProcessState::waiting && Clock::now() >= slots[i].next_start) start(i);
         }
@@ -212,7 +239,7 @@ void Launcher::start() {
         subscribe<status_t>(*self.bus, name, [&self](const status_t& message) { self.on_status(message); });
     }
     self.stopping = false;
-    for (std::size_t i = 0; i < self.slots.size(); ++i) self.start(i);
+    self.start_all();
 }
 
 std::vector<LauncherEvent> Launcher::poll(std::chrono::milliseconds timeout) {

@@ -13,6 +13,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds longest_tick{10};  // then descriptors are looked at again
+constexpr std::chrono::milliseconds longest_farewell{500};
 
 FrameInfo info_of(const Frame& frame) {
     FrameInfo info;
@@ -64,6 +65,12 @@ void TapModule::take(const Frame& frame) {
     pacer_.offer(image, Clock::now());
     context_.status.dropped(pacer_.left_out() - reported_left_out_);
     reported_left_out_ = pacer_.left_out();
+}
+
+// A log that ends with this process should hold the last frame as well.
+TapModule::~TapModule() {
+    const auto stop = Clock::now() + longest_farewell;
+    while (pacer_.next_due(Clock::now()) && Clock::now() < stop) tick();
 }
 
 // Slices are a millisecond apart, which is as fine as waiting for messages gets: the distances are waited for

@@ -35,6 +35,8 @@ class TapModule : public Module {
 
     static ModuleInfo info();
     TapModule(ModuleContext& context, const Parameters& parameters);
+    /// Sends what is left of the frames it has begun or that wait.
+    ~TapModule() override;
 
     /// Sends the slices that are due.
     std::chrono::microseconds tick() override;

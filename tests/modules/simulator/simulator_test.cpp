@@ -9,8 +9,8 @@
 
 #include <cmath>
 #include <filesystem>
-#include <string>
 #include <map>
+#include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
