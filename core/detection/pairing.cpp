@@ -16,6 +16,7 @@ bool plausible(const PairMeasures& m, double width_times_distance, const Pairing
     if (parameters.left_of && m.width <= 0.0) return false;
     const double width = std::abs(m.width);
     if (m.length < parameters.least_aspect * width) return false;
+    if (m.lean > parameters.largest_lean) return false;
     if (parameters.farthest <= 0.0) return true;
     return width_times_distance >= parameters.nearest * width &&
            width_times_distance <= parameters.farthest * width;
@@ -29,11 +30,20 @@ double PairMeasures::dissimilarity() const {
                    share(endpoint_distance, endpoint_bound) + share(support_difference, support_bound));
 }
 
-double width_across(const LineSegment& left, const LineSegment& right) {
+namespace {
+
+/// Unit vector across the mean direction of two lines.
+Eigen::Vector2d mean_normal(const LineSegment& left, const LineSegment& right) {
     Eigen::Vector2d other = right.line.normal;
     if (left.line.normal.dot(other) < 0.0) other = -other;
-    const Line across_axis = line_with_normal(left.line.normal + other, Eigen::Vector2d::Zero());
-    const Eigen::Vector2d across = across_axis.normal;
+    return line_with_normal(left.line.normal + other, Eigen::Vector2d::Zero()).normal;
+}
+
+}  // namespace
+
+double width_across(const LineSegment& left, const LineSegment& right) {
+    const Eigen::Vector2d across = mean_normal(left, right);
+    const Line across_axis = line_with_normal(across, Eigen::Vector2d::Zero());
     const Line cut = line_with_normal(across_axis.direction(), 0.5 * (left.middle() + right.middle()));
     const auto a = intersection(cut, left.line);
     const auto b = intersection(cut, right.line);
@@ -57,6 +67,7 @@ PairMeasures compare_edges(const EdgeLine& left, const EdgeLine& right, int imag
     m.support_bound = permissiveness * std::max(left.support, right.support);
     m.width = width_across(left.segment, right.segment);
     m.length = 0.5 * (l1 + l2);
+    m.lean = std::asin(std::min(1.0, std::abs(mean_normal(left.segment, right.segment).y())));
     return m;
 }
 

@@ -19,6 +19,7 @@ struct PairingParameters {
     double farthest = 10.0;
     double cut_margin = 0.0;
     double largest_hole = 1.0;
+    double largest_lean = 1.5708;
 };
 
 template <class Visitor>
@@ -38,6 +39,9 @@ void describe_parameters(Visitor& v, PairingParameters& p) {
       "have (ours); 0: as any other");
     v("largest_hole", p.largest_hole, Range{0, 1}, "1",
       "longest stretch of a post without the post's colour, as a share of its length (ours); 1: any");
+    v("largest_lean", p.largest_lean, Range{0, 1.5708}, "rad",
+      "how far a post may lean from the image's vertical (ours: else a crossbar passes for a post); 1.5708: "
+      "any way");
 }
 
 /// Two edge lines measured against each other (paper, section 4). Each value is accepted while it is below
@@ -53,6 +57,7 @@ struct PairMeasures {
     double support_bound = 0.0;  // ρ · max(n₁, n₂)
     double width = 0.0;   // px across the mean direction, at the middle; negative: the left edge lies right
     double length = 0.0;  // px, mean of the two
+    double lean = 0.0;    // rad, of the mean direction from the image's vertical, 0…π/2
 
     bool similar() const {
         return angle < angle_bound && length_difference < length_bound &&

@@ -1,11 +1,11 @@
 #include "tools/goalmouth/demo_monitor.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/messaging/channels.h"
 #include "core/messaging/clock.h"
 #include "core/messaging/typed.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace goalmouth {
 namespace {
@@ -35,16 +35,18 @@ std::optional<std::string> published_channel(const Graph& graph, const std::stri
     return std::nullopt;
 }
 
-/// A picture with two whole posts says most, and more so the better they are supported.
+/// A picture with the two posts of a goal and nothing else says most, and more so the better they are
+/// supported.
 int score(const posts_t& posts) {
     int total = 0;
-    int whole = 0;
+    int sides = 0;
     for (const auto& post : posts.posts) {
         if (post.flags & post_t::NO_DISTANCE) continue;
-        ++whole;
+        if (post.side != post_t::SIDE_UNKNOWN) ++sides;
         total += std::min(post.support_left, 60) + std::min(post.support_right, 60);
     }
-    return 1000 * std::min(whole, 2) + total;
+    if (sides == 2 && posts.num_posts == 2) total += 2000;
+    return total;
 }
 
 double median_of(std::vector<double> values) {
@@ -63,7 +65,8 @@ DemoMonitor::DemoMonitor(Bus& bus, const Graph& graph) {
         subscribe<border_t>(bus, *channel, [this](const border_t& m) { remember(borders_, m.utime, m); });
     }
     if (const auto channel = published_channel(graph, channels::candidates)) {
-        subscribe<candidates_t>(bus, *channel, [this](const candidates_t& m) { remember(candidates_, m.utime, m); });
+        subscribe<candidates_t>(bus, *channel,
+                                [this](const candidates_t& m) { remember(candidates_, m.utime, m); });
     }
     if (const auto channel = published_channel(graph, channels::pose)) {
         subscribe<pose_t>(bus, *channel, [this](const pose_t& m) { see_pose(m); });
@@ -79,7 +82,8 @@ DemoMonitor::DemoMonitor(Bus& bus, const Graph& graph) {
         });
     }
     if (const auto channel = published_channel(graph, channels::image)) {
-        image_input_ = std::make_unique<ImageInput>(bus, *channel, "", "", [this](const Frame& frame) { see_frame(frame); });
+        image_input_ = std::make_unique<ImageInput>(bus, *channel, "", "",
+                                                    [this](const Frame& frame) { see_frame(frame); });
     }
 }
 
@@ -108,7 +112,8 @@ std::optional<PoseError> DemoMonitor::median_error(double seconds) const {
 void DemoMonitor::see_frame(const Frame& frame) {
     YuyvImage copy(frame.pixels.width, frame.pixels.height);
     for (int y = 0; y < frame.pixels.height; ++y) {
-        std::copy_n(frame.pixels.row(y), copy.stride(), copy.data.begin() + static_cast<std::ptrdiff_t>(y) * copy.stride());
+        std::copy_n(frame.pixels.row(y), copy.stride(),
+                    copy.data.begin() + static_cast<std::ptrdiff_t>(y) * copy.stride());
     }
     if (frame.still_valid()) remember(images_, frame.utime, std::move(copy));
 }
@@ -142,7 +147,8 @@ void DemoMonitor::match_pose_with_truth() {
             if (truths_.empty() || truths_.rbegin()->first < pose.utime) return;
         } else {
             const truth_t& t = truth->second;
-            errors_.push_back({pose.utime, std::hypot(pose.x - t.x, pose.y - t.y), std::abs(wrap_angle(pose.theta - t.theta))});
+            errors_.push_back({pose.utime, std::hypot(pose.x - t.x, pose.y - t.y),
+                               std::abs(wrap_angle(pose.theta - t.theta))});
         }
         unmatched_.pop_front();
     }

@@ -40,8 +40,9 @@ std::optional<Field> field_of(const Graph& graph) {
 cv::Mat picture_of(const SeenFrame& seen) {
     cv::Mat picture = bgr_from_yuyv(seen.image.view());
     if (seen.border) draw_border(picture, from_message(*seen.border));
-    if (seen.candidates) draw_candidates(picture, from_message(*seen.candidates));
     draw_posts(picture, from_message(seen.posts));
+    // The edge points lie on the posts' outlines: on top, or nobody sees them.
+    if (seen.candidates) draw_candidates(picture, from_message(*seen.candidates));
     return picture;
 }
 

@@ -116,6 +116,18 @@ TEST(Pairing, RejectsImplausibleDistancesUnlessTold) {
     EXPECT_EQ(pairs(left_edge, thin, parameters), 1U);
 }
 
+TEST(Pairing, TakesACrossbarForAPostUnlessTold) {
+    const EdgeLine upper = edge({400, 60}, {200, 100});
+    const EdgeLine lower = edge({400, 90}, {200, 130});
+    PairingParameters parameters;
+    parameters.left_of = false;
+    EXPECT_EQ(pairs(upper, lower, parameters), 1U);
+    parameters.largest_lean = 0.6;
+    EXPECT_EQ(pairs(upper, lower, parameters), 0U);
+    EXPECT_EQ(pairs(edge({300, 100}, {360, 300}), edge({320, 100}, {380, 300}), parameters), 1U)
+        << "17 degrees is a tilt";
+}
+
 TEST(Pairing, WithoutPermissivenessTakesNothing) {
     PairingParameters parameters;
     parameters.permissiveness = 0.0;
