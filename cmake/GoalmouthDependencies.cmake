@@ -1,4 +1,4 @@
-# Every package the build needs, found once. `demo` and `check` install them on Debian (packages.txt).
+# Every package the build needs, found once. `demo` and `check` install them on Debian (packages/).
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)

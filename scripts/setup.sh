@@ -47,6 +47,6 @@ build_release() {
             exit 1
         fi
         rm -f "$log"
-        if [ -t 1 ]; then cmake --build build --target "$@"; else cmake --build build --target "$@" | tail -n 40; fi
+        cmake --build build --target "$@"
     )
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <goalmouth/intrinsics_t.hpp>
-
 #include "core/geometry/camera.h"
+
+#include <goalmouth/intrinsics_t.hpp>
 
 namespace goalmouth {
 

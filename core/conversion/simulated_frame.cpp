@@ -1,6 +1,7 @@
 #include "core/conversion/simulated_frame.h"
 
 #include "core/conversion/camera_pose.h"
+#include "core/conversion/odometry.h"
 
 namespace goalmouth {
 
@@ -14,15 +15,11 @@ kinematics_t kinematics_message(const SimulatedFrame& frame, std::int64_t utime,
 
 odometry_t odometry_message(const SimulatedFrame& frame, const OdometryParameters& noise, std::int64_t utime,
                             std::int64_t seq) {
-    odometry_t m{};
-    m.utime = utime;
-    m.seq = seq;
-    m.x = frame.odometry.x;
-    m.y = frame.odometry.y;
-    m.theta = frame.odometry.theta;
-    m.translation_noise = noise.translation_noise;
-    m.rotation_noise = noise.rotation_noise;
-    return m;
+    return to_message(OdometrySample{.utime = utime,
+                                     .pose = frame.odometry,
+                                     .translation_noise = noise.translation_noise,
+                                     .rotation_noise = noise.rotation_noise},
+                      seq);
 }
 
 }  // namespace goalmouth

@@ -133,11 +133,11 @@ std::vector<EdgePair> pair_edges(const std::vector<EdgeLine>& left, const std::v
                      [](const Scored& a, const Scored& b) { return a.dissimilarity < b.dissimilarity; });
 
     std::vector<EdgePair> pairs;
-    for (const auto& [pair, ignored] : acceptable) {
+    for (const Scored& next : acceptable) {
         const bool taken = std::any_of(pairs.begin(), pairs.end(), [&](const EdgePair& p) {
-            return p.left == pair.left || p.right == pair.right;
+            return p.left == next.pair.left || p.right == next.pair.right;
         });
-        if (!taken) pairs.push_back(pair);
+        if (!taken) pairs.push_back(next.pair);
     }
     return pairs;
 }

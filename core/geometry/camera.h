@@ -1,24 +1,24 @@
 #pragma once
 
+#include "core/parameters/parameters.h"
+
 #include <array>
 #include <optional>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "core/parameters/parameters.h"
-
 namespace goalmouth {
 
 /// Pinhole camera with radial and tangential distortion (OpenCV's model), for images of one size.
 /// Frame C: x right, y down, z forward. Pixel (0,0) is the centre of the top-left pixel.
 struct Intrinsics {
-    int width = 640;            // px
-    int height = 480;           // px
-    double fx = 554.26;         // px; the paper's γ_x: 640 / (2 tan 30°) for the Logitech C905
-    double fy = 554.26;         // px
-    double cx = 319.5;          // px
-    double cy = 239.5;          // px
+    int width = 640;                     // px
+    int height = 480;                    // px
+    double fx = 554.26;                  // px; the paper's γ_x: 640 / (2 tan 30°) for the Logitech C905
+    double fy = 554.26;                  // px
+    double cx = 319.5;                   // px
+    double cy = 239.5;                   // px
     std::array<double, 5> distortion{};  // k1, k2, p1, p2, k3
 
     bool operator==(const Intrinsics&) const = default;
@@ -40,7 +40,8 @@ void describe_parameters(Visitor& v, Intrinsics& p) {
     v("k3", p.distortion[4], Range{-10, 10}, "1", "radial distortion, r⁶");
 }
 
-/// The same camera delivering images of another size by scaling (pixel centres are what scales: (x + ½)·s − ½).
+/// The same camera delivering images of another size by scaling (pixel centres are what scales: (x + ½)·s −
+/// ½).
 Intrinsics scaled_to(const Intrinsics& camera, int width, int height);
 
 /// Centred camera without distortion from its horizontal field of view [rad], 0 < fov < π.
@@ -52,16 +53,18 @@ std::optional<Eigen::Vector2d> project(const Intrinsics& camera, const Eigen::Ve
 /// Distorts normalised image coordinates (x/z, y/z), then scales to pixels.
 Eigen::Vector2d pixel_from_normalised(const Intrinsics& camera, const Eigen::Vector2d& normalised);
 
-/// Undistorted normalised image coordinates (x/z, y/z) of a pixel; fixed-point iteration, to 1e-12 for lenses whose
-/// distortion is monotone over the image.
+/// Undistorted normalised image coordinates (x/z, y/z) of a pixel; fixed-point iteration, to 1e-12 for lenses
+/// whose distortion is monotone over the image.
 Eigen::Vector2d normalised_from_pixel(const Intrinsics& camera, const Eigen::Vector2d& pixel);
 
-/// Where the ray through a pixel meets the ground plane z = 0 of frame W, given T_WC; nothing at or above the horizon.
+/// Where the ray through a pixel meets the ground plane z = 0 of frame W, given T_WC; nothing at or above the
+/// horizon.
 std::optional<Eigen::Vector2d> ground_point(const Intrinsics& camera, const Eigen::Isometry3d& T_WC,
                                             const Eigen::Vector2d& pixel);
 
-/// T_BC of a camera `height` [m] above the ground that looks along body x, then is turned left by `yaw`, down by `pitch` and
-/// clockwise about its own axis (as the camera sees it, the image's content turns anticlockwise) by `roll` [rad].
+/// T_BC of a camera `height` [m] above the ground that looks along body x, then is turned left by `yaw`, down
+/// by `pitch` and clockwise about its own axis (as the camera sees it, the image's content turns
+/// anticlockwise) by `roll` [rad].
 Eigen::Isometry3d camera_in_body(double height, double roll, double pitch, double yaw = 0.0);
 
 }  // namespace goalmouth

@@ -36,7 +36,8 @@ Pose2 difference(const Pose2& from, const Pose2& to) {
 }
 
 Pose2 interpolate(const Pose2& a, const Pose2& b, double share) {
-    return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), wrap_angle(a.theta + share * wrap_angle(b.theta - a.theta))};
+    return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y),
+            wrap_angle(a.theta + share * wrap_angle(b.theta - a.theta))};
 }
 
 }  // namespace goalmouth

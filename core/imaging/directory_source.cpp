@@ -51,11 +51,7 @@ ImageSource::Outcome DirectorySource::next(Captured& frame, std::chrono::millise
         }
         any_this_round_ = true;
         file_ = file;
-        frame = {};
-        frame.width = image_.width;
-        frame.height = image_.height;
-        frame.stride = image_.stride();
-        frame.bytes = image_.data;
+        frame = captured(image_);
         return Outcome::captured;
     }
 }

@@ -45,7 +45,7 @@ YuyvImage raw_image(const std::filesystem::path& file, std::vector<std::uint8_t>
                     std::optional<ImageSize> size) {
     if (!size) {
         throw FileError(file.string() +
-                        ": a raw 4:2:2 image does not say how large it is: give its size, e.g. 640x480");
+                        ": a raw 4:2:2 image does not say how large it is: give its size (--size 640x480)");
     }
     YuyvImage image(size->width, size->height);
     if (bytes.size() != image.data.size()) {
@@ -137,21 +137,27 @@ YuyvImage read_image(const std::filesystem::path& file, std::optional<ImageSize>
 }
 
 void write_bytes(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
-    std::filesystem::path partial = file;
-    partial += ".partial";
+    std::error_code ignored;
+    const auto status = std::filesystem::status(file, ignored);
+    const bool device = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+                        !std::filesystem::is_directory(status);
+    std::filesystem::path target = file;
+    if (!device && std::filesystem::is_symlink(file, ignored))
+        target = file.parent_path() / std::filesystem::read_symlink(file, ignored);
+    std::filesystem::path partial = target;
+    if (!device) partial += ".partial";
     std::ofstream out(partial, std::ios::binary | std::ios::trunc);
     if (!out) throw FileError(file.string() + ": cannot be written: " + std::strerror(errno));
     out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     out.close();
     std::error_code error;
     if (out) {
-        std::filesystem::rename(partial, file, error);
+        if (!device) std::filesystem::rename(partial, target, error);
     } else {
         error = std::make_error_code(std::errc::io_error);
     }
     if (error) {
-        std::error_code ignored;
-        std::filesystem::remove(partial, ignored);
+        if (!device) std::filesystem::remove(partial, ignored);
         throw FileError(file.string() + ": cannot be written: " + error.message());
     }
 }

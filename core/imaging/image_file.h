@@ -34,7 +34,8 @@ std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file);
 /// Raw 4:2:2, rows packed: what read_image takes for .yuyv. Throws FileError.
 void write_yuyv(const std::filesystem::path& file, YuyvView image);
 
-/// Writes through `file`.partial and a rename, so that nobody ever sees half a file. Throws FileError.
+/// Writes through `file`.partial and a rename, so that nobody ever sees half a file; through a link to
+/// what it names, and straight into a device or pipe. Throws FileError.
 void write_bytes(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 
 }  // namespace goalmouth

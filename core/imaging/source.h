@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/imaging/yuyv.h"
+
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -20,6 +22,16 @@ struct Captured {
     std::int64_t utime = 0;  // [µs] since 1970-01-01 UTC; 0 where the source knows no time (files)
     std::int64_t lost = 0;   // images the source knows it lost between the one before and this one
 };
+
+/// An image without a time of its own; `image` stays its owner.
+inline Captured captured(const YuyvImage& image) {
+    Captured frame;
+    frame.width = image.width;
+    frame.height = image.height;
+    frame.stride = image.stride();
+    frame.bytes = image.data;
+    return frame;
+}
 
 /// What a source could not deliver, since it was made.
 struct SourceCounters {

@@ -5,9 +5,13 @@
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
+#include <set>
 #include <stdexcept>
+#include <string>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace goalmouth {
@@ -73,6 +77,20 @@ std::string fourcc_text(std::uint32_t fourcc) {
     return text;
 }
 
+/// For whoever named a camera that is not there. Keeps errno.
+std::string V4l2Device::cameras_present() {
+    const int kept = errno;
+    std::set<std::string> present;
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator("/dev", ignored)) {
+        if (entry.path().filename().string().starts_with("video")) present.insert(entry.path().string());
+    }
+    std::string text;
+    for (const std::string& name : present) text += (text.empty() ? "" : ", ") + name;
+    errno = kept;
+    return text.empty() ? " (no camera is connected: there is no /dev/video*)" : " (there is: " + text + ")";
+}
+
 void V4l2Device::fail(const std::string& what) const {
     const int error = errno;
     throw std::runtime_error(path_ + ": " + what + ": " + std::strerror(error) +
@@ -83,7 +101,7 @@ void V4l2Device::open(const std::string& path) {
     close();
     path_ = path;
     fd_ = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
-    if (fd_ < 0) fail("cannot be opened");
+    if (fd_ < 0) fail("cannot be opened" + (errno == ENOENT ? cameras_present() : ""));
     v4l2_capability capability{};
     if (repeated_ioctl(fd_, VIDIOC_QUERYCAP, &capability) < 0) {
         const int error = errno;

@@ -50,6 +50,7 @@ class V4l2Device {
 
   private:
     [[noreturn]] void fail(const std::string& what) const;
+    static std::string cameras_present();
 
     std::string path_;
     std::string card_;

@@ -53,11 +53,7 @@ ImageSource::Outcome VideoSource::next(Captured& frame, std::chrono::millisecond
     }
     any_this_round_ = true;
     image_ = yuyv_from_bgr(decoder_->bgr);
-    frame = {};
-    frame.width = image_.width;
-    frame.height = image_.height;
-    frame.stride = image_.stride();
-    frame.bytes = image_.data;
+    frame = captured(image_);
     return Outcome::captured;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -67,6 +68,9 @@ Configuration Configuration::from_file(const std::filesystem::path& file) {
     if (!stream) throw ConfigurationError(file.string() + ": cannot be read; expected a YAML file");
     std::ostringstream text;
     text << stream.rdbuf();
+    if (text.str().empty()) {
+        throw ConfigurationError(file.string() + ": is empty (0 bytes); expected 'key: value' lines");
+    }
     return from_text(text.str(), file.string(), std::filesystem::absolute(file).parent_path());
 }
 
@@ -197,6 +201,8 @@ std::string range_text(const Range& range, const char* what) {
     const bool high = std::isfinite(range.highest);
     std::string text = what;
     if (low && high) return text + " in " + number_text(range.lowest) + "…" + number_text(range.highest);
+    // `above` stores the next number: of 0, that is one nobody would recognise.
+    if (low && range.lowest == std::numeric_limits<double>::denorm_min()) return text + " above 0";
     if (low) return text + " of at least " + number_text(range.lowest);
     if (high) return text + " of at most " + number_text(range.highest);
     return text;

@@ -139,6 +139,12 @@ Parameters load_parameters(const std::filesystem::path& file) {
     return load_parameters<Parameters>(Configuration::from_file(file));
 }
 
+/// For parameters that name a file and may be empty: every value at its default then.
+template <class Parameters>
+Parameters load_parameters_or_defaults(const std::filesystem::path& file) {
+    return file.empty() ? Parameters{} : load_parameters<Parameters>(file);
+}
+
 template <class Parameters>
 std::vector<ParameterInfo> list_parameters(Parameters parameters = {}) {
     ParameterLister lister;

@@ -42,8 +42,8 @@ class Reader {
     const YAML::Node& group(const YAML::Node& node, const std::string& what,
                             const std::vector<std::string>& valid) const {
         if (!node.IsMap()) {
-            fail(place(node),
-                 what + ": expected 'key: value' lines, not " + kind_of(node) + "; " + suggestion("", valid));
+            fail(place(node), what + ": expected 'key: value' lines, not " + kind_of(node) +
+                                  (valid.empty() ? "" : "; " + suggestion("", valid)));
         }
         std::set<std::string> seen;
         for (const auto& entry : node) {

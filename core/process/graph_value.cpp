@@ -45,6 +45,10 @@ std::optional<Bounds> bounds_of(std::string_view text) {
         const auto low = number(*rest);
         if (low) return Bounds{*low, bounds.highest};
     }
+    if (const auto rest = behind(" above ")) {
+        const auto low = number(*rest);
+        if (low) return Bounds{std::nextafter(*low, bounds.highest), bounds.highest};
+    }
     if (const auto rest = behind(" of at most ")) {
         const auto high = number(*rest);
         if (high) return Bounds{bounds.lowest, *high};

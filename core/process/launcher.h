@@ -72,8 +72,8 @@ class Launcher {
     Launcher(const Launcher&) = delete;
     Launcher& operator=(const Launcher&) = delete;
 
-    /// Starts every process; those that subscribe to nothing (cameras) once the others have reported for the first time, or after
-    /// three seconds. Throws std::runtime_error where the LCM URL cannot be opened.
+    /// Starts every process; those that subscribe to nothing (cameras) once the others have reported for the
+    /// first time, or after three seconds. Throws std::runtime_error where the LCM URL cannot be opened.
     void start();
 
     /// Waits up to `timeout` for something to happen (returns early where a signal interrupts), and returns

@@ -40,9 +40,13 @@ std::uint64_t Random::bits() {
     return result;
 }
 
-double Random::uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
+double Random::uniform() {
+    return static_cast<double>(bits() >> 11) * 0x1.0p-53;
+}
 
-double Random::uniform(double lowest, double highest) { return lowest + (highest - lowest) * uniform(); }
+double Random::uniform(double lowest, double highest) {
+    return lowest + (highest - lowest) * uniform();
+}
 
 std::uint32_t Random::index(std::uint32_t count) {
     // Lemire's multiply-and-reject.

@@ -5,8 +5,8 @@
 
 namespace goalmouth {
 
-/// xoshiro256++ (Blackman and Vigna), with distributions of our own: the standard's differ between libraries, and a replay on
-/// another machine must draw the same numbers.
+/// xoshiro256++ (Blackman and Vigna), with distributions of our own: the standard's differ between libraries,
+/// and a replay on another machine must draw the same numbers.
 class Random {
   public:
     explicit Random(std::uint64_t seed);

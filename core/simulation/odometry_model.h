@@ -21,9 +21,9 @@ struct OdometryParameters {
 template <class Visitor>
 void describe_parameters(Visitor& v, OdometryParameters& p) {
     v("translation_noise", p.translation_noise, Range{0, 1}, "1",
-      "σ of a step's length and of its side slip, as a share of the distance walked");
+      "σ of a step's length and of its side slip, as a fraction of the distance walked");
     v("rotation_noise", p.rotation_noise, Range{0, 1}, "1",
-      "σ of a step's turn, as a share of the angle turned");
+      "σ of a step's turn, as a fraction of the angle turned");
     v("constant_share", p.constant_share, Range{0, 1}, "1",
       "share of both σ that is one scale error for the whole run");
     v("heading_slip", p.heading_slip, Range{0, 2}, "rad/m", "σ of a step's turn that nobody asked for");

@@ -9,14 +9,11 @@
 #include "core/imaging/video_source.h"
 #include "core/messaging/channels.h"
 #include "core/messaging/clock.h"
-#include "core/messaging/typed.h"
 #include "core/process/configuration.h"
 
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
-#include <goalmouth/camera_info_t.hpp>
 #include <spdlog/spdlog.h>
 
 namespace goalmouth {
@@ -24,7 +21,6 @@ namespace goalmouth {
 namespace {
 
 constexpr std::chrono::milliseconds longest_wait{50};
-constexpr std::int64_t info_interval = 1000000;  // µs
 constexpr double usual_rate = 30.0;
 
 std::unique_ptr<ImageSource> open_source(const CameraParameters& p) {
@@ -71,7 +67,7 @@ CameraModule::CameraModule(ModuleContext& context, const Parameters& parameters)
       parameters_(parameters),
       source_(open_source(parameters)),
       output_(context.bus, context.channel(channels::image), parameters.camera_name),
-      camera_info_channel_(context.channel(channels::camera_info)),
+      info_output_(context.bus, context.channel(channels::camera_info)),
       rate_(rate_of(*source_, parameters)) {
     if (!parameters.camera.empty())
         calibration_ = load_parameters<Intrinsics>(std::filesystem::path(parameters.camera));
@@ -148,29 +144,26 @@ void CameraModule::send(std::int64_t utime) {
 }
 
 void CameraModule::announce_camera(std::int64_t utime) {
-    if (next_info_utime_ && utime < *next_info_utime_) return;
-    next_info_utime_ = utime + info_interval;
     camera_info_t info{};
     info.utime = utime;
     info.camera = parameters_.camera_name;
     info.source = parameters_.source == "v4l2" ? parameters_.device : parameters_.path;
     info.frames_per_second = rate_;
     info.intrinsics = to_message(*intrinsics_);
-    publish(context_.bus, camera_info_channel_, info);
+    info_output_.announce(info);
 }
 
 std::chrono::microseconds CameraModule::send_when_due() {
     if (!fetched_) fetched_ = fetch();
     if (!fetched_) return std::chrono::microseconds(0);
-    if (!pace_) {
+    if (!clock_) {
         start_ = Clock::now();
-        pace_.emplace(
-            rate_, parameters_.start_time > 0.0 ? std::llround(1e6 * parameters_.start_time) : now_utime());
+        clock_.emplace(utime_or_now(parameters_.start_time), rate_);
     }
     const auto left =
-        std::chrono::ceil<std::chrono::microseconds>(start_ + pace_->after_start(seq_) - Clock::now());
+        std::chrono::ceil<std::chrono::microseconds>(start_ + clock_->after_start(seq_) - Clock::now());
     if (left.count() > 0) return left;
-    send(pace_->utime(seq_));
+    send(clock_->utime(seq_));
     fetched_ = false;
     return std::chrono::microseconds(0);
 }

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "core/geometry/camera.h"
-#include "core/imaging/pace.h"
+#include "core/imaging/frame_clock.h"
 #include "core/imaging/source.h"
 #include "core/imaging/yuyv.h"
+#include "core/messaging/camera_info_output.h"
 #include "core/messaging/image_output.h"
 #include "core/parameters/parameters.h"
 #include "core/process/module.h"
@@ -52,7 +53,7 @@ void describe_parameters(Visitor& v, CameraParameters& p) {
     v("linger", p.linger, Range{0, 60}, "s",
       "how long the pixels of the last image stay readable after a source has ended");
     v("start_time", p.start_time, Range{0, 1e10}, "s",
-      "sources directory and video: capture time of the first image, since 1970 UTC; 0: now");
+      "sources directory and video: capture time of the first image since 1970 UTC; 0: now");
 }
 
 /// Publishes the images of a source with their capture time.
@@ -81,9 +82,9 @@ class CameraModule : public Module {
     Parameters parameters_;
     std::unique_ptr<ImageSource> source_;
     ImageOutput output_;
+    CameraInfoOutput info_output_;
     std::optional<Intrinsics> calibration_;
     std::optional<Intrinsics> intrinsics_;  // of the image fetched last
-    std::string camera_info_channel_;
 
     YuyvImage decoded_;
     YuyvView pixels_;  // of the image fetched last
@@ -92,9 +93,8 @@ class CameraModule : public Module {
 
     std::int64_t seq_ = 0;
     double rate_ = 0.0;
-    std::optional<Pace> pace_;  // of files, from the first image on
+    std::optional<FrameClock> clock_;  // of files, from the first image on
     Clock::time_point start_{};
-    std::optional<std::int64_t> next_info_utime_;
     std::optional<Clock::time_point> end_;
     SourceCounters reported_;
     bool said_damaged_jpeg_ = false;

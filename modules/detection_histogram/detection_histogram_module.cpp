@@ -20,8 +20,7 @@ ModuleInfo HistogramDetectionModule::info() {
 HistogramDetectionModule::HistogramDetectionModule(ModuleContext& context, const Parameters& parameters)
     : context_(context),
       parameters_(parameters),
-      post_diameter_(
-          (parameters.field.empty() ? Field{} : load_parameters<Field>(parameters.field)).post_diameter) {
+      post_diameter_(load_parameters_or_defaults<Field>(parameters.field).post_diameter) {
     subscribe<candidates_t>(context.bus, context.channel(channels::candidates),
                             [this](const candidates_t& message) { detect(message); });
 }

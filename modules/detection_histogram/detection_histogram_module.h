@@ -28,7 +28,7 @@ class HistogramDetectionModule : public Module {
 
 template <class Visitor>
 void describe_parameters(Visitor& v, HistogramDetectionModule::Parameters& p) {
-    v("field", p.field, File{true}, "field whose posts are sought (their diameter); none: KidSize 2013");
+    v("field", p.field, File{true}, "field whose posts are sought (their diameter); empty: KidSize 2013");
     describe_parameters(v, static_cast<HistogramParameters&>(p));
 }
 

@@ -17,7 +17,7 @@ namespace goalmouth {
 namespace {
 
 Localiser make_localiser(const LocalisationModule::Parameters& parameters, const ModuleContext& context) {
-    const Field field = parameters.field.empty() ? Field{} : load_parameters<Field>(parameters.field);
+    const auto field = load_parameters_or_defaults<Field>(parameters.field);
     try {
         return Localiser(field, parameters.localiser,
                          [&context](std::int64_t seq) { return context.random(seq); });

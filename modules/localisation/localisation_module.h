@@ -29,7 +29,7 @@ class LocalisationModule : public Module {
 
 template <class Visitor>
 void describe_parameters(Visitor& v, LocalisationModule::Parameters& p) {
-    v("field", p.field, File{true}, "field and goals; \"\": KidSize 2013");
+    v("field", p.field, File{true}, "field and goals; empty: KidSize 2013");
     describe_parameters(v, p.localiser);
 }
 

@@ -8,28 +8,17 @@
 #include "core/messaging/typed.h"
 #include "core/process/configuration.h"
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <stdexcept>
-
-#include <goalmouth/camera_info_t.hpp>
 
 namespace goalmouth {
 namespace {
 
-constexpr std::int64_t info_interval = 1000000;  // µs
-constexpr std::int64_t whole_run = -1;           // in place of a frame's number: what is drawn once
-
-template <class T>
-T load_or_default(const std::string& file) {
-    return file.empty() ? T{} : load_parameters<T>(std::filesystem::path(file));
-}
+constexpr std::int64_t whole_run = -1;  // in place of a frame's number: what is drawn once
 
 Simulation make_simulation(const SimulatorParameters& p, const ModuleContext& context) {
     try {
-        return Simulation(p.simulation, load_or_default<Field>(p.field),
-                          load_or_default<Intrinsics>(p.camera), context.random(whole_run));
+        return Simulation(p.simulation, load_parameters_or_defaults<Field>(p.field),
+                          load_parameters_or_defaults<Intrinsics>(p.camera), context.random(whole_run));
     } catch (const std::invalid_argument& error) {
         throw ConfigurationError(error.what());
     }
@@ -53,12 +42,11 @@ SimulatorModule::SimulatorModule(ModuleContext& context, const Parameters& param
     : context_(context),
       parameters_(parameters),
       simulation_(make_simulation(parameters, context)),
-      output_(context.bus, context.channel(channels::image), parameters.camera_name) {}
+      output_(context.bus, context.channel(channels::image), parameters.camera_name),
+      info_output_(context.bus, context.channel(channels::camera_info)) {}
 
 void SimulatorModule::start() {
-    const auto utime = parameters_.start_utime > 0.0 ? std::llround(parameters_.start_utime) : now_utime();
-    clock_.emplace(utime, parameters_.frames_per_second);
-    next_info_utime_ = utime;
+    clock_.emplace(utime_or_now(parameters_.start_time), parameters_.frames_per_second);
     started_ = Clock::now();
 }
 
@@ -90,16 +78,13 @@ void SimulatorModule::send() {
     output_.publish_yuyv(info, yuyv_row_bytes(simulation_.camera().width));
     context_.status.output(info.utime);
 
-    if (info.utime >= next_info_utime_) {
-        next_info_utime_ = info.utime + info_interval;
-        camera_info_t camera{};
-        camera.utime = info.utime;
-        camera.camera = parameters_.camera_name;
-        camera.source = "simulator";
-        camera.frames_per_second = parameters_.frames_per_second;
-        camera.intrinsics = info.intrinsics;
-        publish(bus, context_.channel(channels::camera_info), camera);
-    }
+    camera_info_t camera{};
+    camera.utime = info.utime;
+    camera.camera = parameters_.camera_name;
+    camera.source = "simulator";
+    camera.frames_per_second = parameters_.frames_per_second;
+    camera.intrinsics = info.intrinsics;
+    info_output_.announce(camera);
 
     prepared_ = false;
     ++seq_;

@@ -1,9 +1,10 @@
 #pragma once
 
+#include "core/imaging/frame_clock.h"
+#include "core/messaging/camera_info_output.h"
 #include "core/messaging/image_output.h"
 #include "core/parameters/parameters.h"
 #include "core/process/module.h"
-#include "core/simulation/frame_clock.h"
 #include "core/simulation/simulation.h"
 
 #include <chrono>
@@ -19,7 +20,7 @@ struct SimulatorParameters {
     std::string camera_name = "simulator";
     double frames_per_second = 30.0;
     bool realtime = true;
-    double start_utime = 0.0;
+    double start_time = 0.0;
     int frames = 0;
     double linger = 1.0;
     SimulationParameters simulation;
@@ -33,8 +34,8 @@ void describe_parameters(Visitor& v, SimulatorParameters& p) {
     v("frames_per_second", p.frames_per_second, Range{0.1, 1000}, "1/s", "rate of the frames");
     v("realtime", p.realtime,
       "paced by the clock, leaving out frames it is too late for; false: as fast as can be");
-    v("start_utime", p.start_utime, Range{0, 9e15}, "µs",
-      "capture time of the first frame, since 1970 UTC; 0: now");
+    v("start_time", p.start_time, Range{0, 1e10}, "s",
+      "capture time of the first frame since 1970 UTC; 0: now");
     v("frames", p.frames, Range{0, 2e9}, "1", "frames to send before it ends; 0: without end");
     v("linger", p.linger, Range{0, 60}, "s",
       "how long the pixels of the last frame stay readable after that");
@@ -64,6 +65,7 @@ class SimulatorModule : public Module {
     Parameters parameters_;
     Simulation simulation_;
     ImageOutput output_;
+    CameraInfoOutput info_output_;
 
     std::optional<FrameClock> clock_;  // from the first tick on
     Clock::time_point started_{};
@@ -71,7 +73,6 @@ class SimulatorModule : public Module {
     std::int64_t time_ = 0;  // its number on the clock
     std::int64_t seq_ = 0;   // its number among the frames sent
     SimulatedFrame frame_;
-    std::int64_t next_info_utime_ = 0;
     std::optional<Clock::time_point> end_;
 };
 

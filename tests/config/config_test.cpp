@@ -1,14 +1,14 @@
-#include <filesystem>
-#include <map>
-
-#include <gtest/gtest.h>
-#include <yaml-cpp/yaml.h>
-
 #include "core/field/field.h"
 #include "core/geometry/camera.h"
 #include "core/process/configuration.h"
 #include "core/process/graph.h"
 #include "tools/goalmouth/registry.h"
+
+#include <filesystem>
+#include <map>
+
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
 
 // What ships in config/ is what the programs take, all of it, and what the code says its defaults are.
 namespace goalmouth {
@@ -16,7 +16,8 @@ namespace {
 
 const std::filesystem::path config = std::filesystem::path(GOALMOUTH_SOURCE_DIR) / "config";
 
-void collect_keys(const YAML::Node& node, const std::string& prefix, std::map<std::string, YAML::Node>& keys) {
+void collect_keys(const YAML::Node& node, const std::string& prefix,
+                  std::map<std::string, YAML::Node>& keys) {
     for (const auto& entry : node) {
         const std::string key = prefix + entry.first.Scalar();
         if (entry.second.IsMap()) {
@@ -55,7 +56,8 @@ TEST(ShippedConfig, HoldsTheDefaults) {
         std::map<std::string, YAML::Node> keys;
         collect_keys(YAML::LoadFile(file.string()), "", keys);
         for (const auto& parameter : type.parameters) {
-            if (parameter.valid == "the name of a file") continue;  // where files stand is the configuration's to say
+            if (parameter.valid == "the name of a file")
+                continue;  // where files stand is the configuration's to say
             const YAML::Node ours = keys.at(parameter.key);
             const YAML::Node theirs = YAML::Load(parameter.value);
             if (ours.IsScalar() && theirs.IsScalar()) {
@@ -89,12 +91,7 @@ TEST(ShippedConfig, GraphsLoad) {
     const auto files = yaml_files(config / "graphs");
     EXPECT_GE(files.size(), 4U);
     GraphOptions options;
-    options.describe = [](const std::string& executable, ProgramDescription& description) {
-        const ModuleType* type = find_module_type(executable);
-        if (type == nullptr) return false;
-        description = {type->info, type->parameters};
-        return true;
-    };
+    options.describe = describe_module;
     for (const auto& file : files) {
         try {
             load_graph(file.string(), options);
@@ -104,7 +101,8 @@ TEST(ShippedConfig, GraphsLoad) {
     }
 }
 
-// Each parameter of each module, set to something it cannot be, stops the program with a sentence that names it.
+// Each parameter of each module, set to something it cannot be, stops the program with a sentence that names
+// it.
 TEST(ShippedConfig, EveryKeyIsCheckedWhenWrong) {
     int checked = 0;
     for (const ModuleType& type : module_types()) {

@@ -102,6 +102,12 @@ TEST_F(Verb, AWrongGraphIsExitCode2) {
     EXPECT_TRUE(parameter->wrote(
         "helper.yaml:2: helper: unknown parameter 'behavior' of graph_helper; did you mean 'behaviour'"))
         << parameter->output();
+    auto verb = run({"lanch", "ransac"});
+    EXPECT_EQ(verb->wait(), 2);
+    EXPECT_TRUE(verb->wrote("unknown verb 'lanch'; did you mean 'launch'?")) << verb->output();
+    auto misspelt = run({"graph", "--dto"});
+    EXPECT_EQ(misspelt->wait(), 2);
+    EXPECT_TRUE(misspelt->wrote("unknown option '--dto'; did you mean '--dot'?")) << misspelt->output();
     auto option = run({"launch", "ransac", "--tap", "png"});
     EXPECT_EQ(option->wait(), 2) << option->output();
 }

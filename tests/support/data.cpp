@@ -11,7 +11,8 @@ std::optional<std::filesystem::path> data_folder() {
         if (std::filesystem::is_directory(named, ignored)) return named;
         return std::nullopt;
     }
-    const std::filesystem::path beside = std::filesystem::path(GOALMOUTH_SOURCE_DIR) / ".." / "shared" / "data";
+    const std::filesystem::path beside =
+        std::filesystem::path(GOALMOUTH_SOURCE_DIR) / ".." / "shared" / "data";
     if (std::filesystem::is_directory(beside, ignored)) return beside.lexically_normal();
     return std::nullopt;
 }

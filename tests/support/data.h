@@ -6,7 +6,8 @@
 
 namespace goalmouth::test {
 
-/// Folder of the real images and logs: $GOALMOUTH_DATA, or shared/data beside the project; nothing on a machine without.
+/// Folder of the real images and logs: $GOALMOUTH_DATA, or shared/data beside the project; nothing on a
+/// machine without.
 std::optional<std::filesystem::path> data_folder();
 
 /// A new empty folder, removed with all it holds when the object goes.
@@ -24,8 +25,9 @@ class TemporaryFolder {
 
 }  // namespace goalmouth::test
 
-/// First line of a test that needs the real data: declares `data` as their folder, or skips the test and says why.
-#define GOALMOUTH_NEEDS_DATA(data)                                                                       \
-    const auto data##_found = goalmouth::test::data_folder();                                            \
+/// First line of a test that needs the real data: declares `data` as their folder, or skips the test and says
+/// why.
+#define GOALMOUTH_NEEDS_DATA(data)                                                                          \
+    const auto data##_found = goalmouth::test::data_folder();                                               \
     if (!data##_found) GTEST_SKIP() << "skipped: no real data: neither $GOALMOUTH_DATA nor ../shared/data"; \
     const std::filesystem::path data = *data##_found

@@ -99,6 +99,9 @@ TEST_F(Colours, WhatTheUserCanMendIsSaid) {
     EXPECT_THAT(error_of({"show", path("none.gmct")}), HasSubstr("none.gmct: no such file"));
     EXPECT_THAT(error_of({"show", table, "-o", path("no/such/folder/t.png")}),
                 HasSubstr("cannot be written"));
+    EXPECT_THAT(error_of({"show", table, "-o", path("t.txt")}), HasSubstr("must end in .png"));
+    EXPECT_THAT(error_of({"segment", table, path("a.png"), "-o", write("file", "x")}),
+                HasSubstr("the folder " + path("file") + " cannot be made"));
     EXPECT_THAT(error_of({"segment", table, write("a.png", ""), "-o", path("out")}),
                 HasSubstr("1 of 1 images"));
     EXPECT_THAT(error_of({"segment", table, path("x.yuyv"), "--size", "640", "-o", path("out")}),

@@ -7,6 +7,7 @@
 #include "tools/goalmouth/verbs.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -35,9 +36,10 @@ struct Detect : testing::Test {
     void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
 
     /// Exit code of `goalmouth detect` with the scene's graph and table.
-    int run(std::vector<std::string> arguments) const {
+    int run(std::vector<std::string> arguments, std::string target = {}) const {
+        if (target.empty()) target = path("out.json");
         arguments.insert(arguments.begin(), {"detect", "--graph", path("graph.yaml"), "--colours",
-                                             path("table.gmct"), "--json", path("out.json")});
+                                             path("table.gmct"), "--json", target});
         CLI::App app;
         Action action;
         add_detect_verb(app, action);
@@ -136,6 +138,21 @@ TEST_F(Detect, RefusesAGraphWithoutADetectorAndFilesThatAreMissing) {
     EXPECT_THROW(run({path("scene.png"), "--camera", path("missing.yaml")}), ConfigurationError);
     EXPECT_THROW(run({path("scene.png"), "--field", path("missing.yaml")}), ConfigurationError);
     EXPECT_THROW(run({path("scene.yuyv"), "--size", "huge"}), ConfigurationError);
+}
+
+TEST_F(Detect, RefusesWhereItCannotWriteBeforeItWorks) {
+    EXPECT_THROW(run({path("scene.png")}, path("no/such/folder.json")), ConfigurationError);
+    EXPECT_THROW(run({path("scene.png")}, folder.path().string()), ConfigurationError);
+    EXPECT_THROW(run({path("scene.png"), "--overlay", path("scene.png")}), ConfigurationError);
+    EXPECT_THROW(run({path("scene.png"), "--overlay", path("drawn"), "--set", "a.b=1"}), ConfigurationError);
+    EXPECT_FALSE(std::filesystem::exists(path("drawn"))) << "nothing is made where the graph is wrong";
+}
+
+TEST_F(Detect, TakesNumbersOnlyForTheCameraPose) {
+    for (const char* wrong : {"nan", "inf", "high", "0", "-1"})
+        EXPECT_THROW(run({path("scene.png"), "--height", wrong}), CLI::ValidationError) << wrong;
+    EXPECT_THROW(run({path("scene.png"), "--height", "0.5", "--pitch", "nan"}), CLI::ValidationError);
+    EXPECT_EQ(run({path("scene.png"), "--height", "0.5", "--pitch=-0.1"}), 0);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "core/process/configuration.h"
 #include "tools/goalmouth/colours_rules.h"
 #include "tools/goalmouth/colours_train.h"
+#include "tools/goalmouth/output.h"
 #include "tools/goalmouth/verbs.h"
 
 #include <algorithm>
@@ -15,8 +16,6 @@
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <opencv2/imgcodecs.hpp>
 
 namespace goalmouth {
 
@@ -52,19 +51,6 @@ void sets_action(CLI::App* command, Action& action, F run) {
     });
 }
 
-void write_picture(const fs::path& file, const cv::Mat& picture) {
-    bool written = false;
-    try {
-        written = cv::imwrite(file.string(), picture);
-    } catch (const cv::Exception&) {
-        written = false;
-    }
-    if (!written)
-        throw ConfigurationError(
-            file.string() +
-            ": cannot be written (the folder must exist, the name end in .png, .jpg or .ppm)");
-}
-
 void print_table(const ColourTable& table) {
     std::printf("name     %s\nbits     %d (%zu entries)\n", table.name().c_str(), table.bits(),
                 table.entries().size());
@@ -98,13 +84,13 @@ int segment(const Options& o) {
         if (!size)
             throw ConfigurationError("--size must be WIDTHxHEIGHT, e.g. 640x480, not \"" + o.size + "\"");
     }
-    fs::create_directories(o.output);
+    make_output_folder(o.output, "--output");
     int failed = 0;
     for (const fs::path& file : o.images) {
         try {
             const YuyvImage image = read_image(file, size);
             const fs::path out = o.output / (file.stem().string() + "_segmented.png");
-            write_picture(out, segmentation_beside_image(image.view(), table));
+            write_picture(out, segmentation_beside_image(image.view(), table), "");
             print_shares(file, image.view(), table, out);
         } catch (const FileError& error) {
             std::cerr << "goalmouth: " << error.what() << '\n';
@@ -148,7 +134,7 @@ void add_show(CLI::App& verb, Action& action) {
     sets_action(command, action, [o] {
         const ColourTable table = load_colour_table(o->table);
         const fs::path out = o->output.empty() ? fs::path(o->table.stem().string() + ".png") : o->output;
-        write_picture(out, table_picture(table));
+        write_picture(out, table_picture(table), "");
         print_table(table);
         std::printf("picture  %s\n", out.c_str());
         return 0;

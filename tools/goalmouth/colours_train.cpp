@@ -9,6 +9,7 @@
 #include "core/imaging/image_file.h"
 #include "core/process/configuration.h"
 #include "tools/goalmouth/colours_annotations.h"
+#include "tools/goalmouth/output.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -16,7 +17,6 @@
 #include <set>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 namespace goalmouth {
 
@@ -88,8 +88,8 @@ void write_label_picture(const std::filesystem::path& folder, const AnnotatedIma
                 picture.at<cv::Vec3b>(y, x) = display_colour(static_cast<Colour>(label));
     cv::Mat beside;
     cv::hconcat(bgr_from_yuyv(scene.image.view()), picture, beside);
-    std::filesystem::create_directories(folder);
-    cv::imwrite((folder / (annotated.file.stem().string() + "_labels.png")).string(), beside);
+    make_output_folder(folder, "--labels");
+    write_picture(folder / (annotated.file.stem().string() + "_labels.png"), beside, "--labels");
 }
 
 void print_score(const char* which, const std::vector<LabelledScene>& scenes, const ColourTable& table) {
@@ -126,6 +126,7 @@ std::optional<Fold> parse_fold(const std::string& text) {
 }
 
 int train_colours(const TrainColoursOptions& options) {
+    expect_writable(options.output, "--output");
     const auto parameters = options.parameters.empty()
                                 ? ColourTrainingParameters{}
                                 : load_parameters<ColourTrainingParameters>(options.parameters);

@@ -1,17 +1,19 @@
-#include <algorithm>
-#include <chrono>
-#include <fstream>
-#include <iostream>
-
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-#include <unistd.h>
-
 #include "core/messaging/lcm_bus.h"
 #include "core/process/configuration.h"
+#include "tools/goalmouth/checks.h"
 #include "tools/goalmouth/demo_monitor.h"
 #include "tools/goalmouth/demo_report.h"
+#include "tools/goalmouth/network_option.h"
+#include "tools/goalmouth/output.h"
 #include "tools/goalmouth/verbs.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <iostream>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
 
 namespace goalmouth {
 namespace {
@@ -24,13 +26,18 @@ struct DemoOptions {
     std::string json;
     std::string pictures = "goalmouth-demo";
     std::string lcm_url;
-    NetworkChoice network = NetworkChoice::automatic;
+    std::string network = "auto";
     std::vector<std::string> settings;
     double seconds = 30.0;
     bool headless = false;
 };
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+/// What frames still in the graph need to come out of it.
+constexpr std::chrono::seconds time_to_drain{2};
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// One line that is rewritten in place on a terminal, and appears now and then elsewhere.
 class StatusLine {
@@ -57,15 +64,17 @@ class StatusLine {
     Clock::time_point next_{};
 };
 
-std::string status_text(const DemoMonitor& monitor, const Launcher& launcher, double elapsed, double seconds) {
+std::string status_text(const DemoMonitor& monitor, const Launcher& launcher, double elapsed,
+                        double seconds) {
     int alive = 0;
     const auto processes = launcher.processes();
     for (const auto& process : processes) alive += process.state == ProcessState::running ? 1 : 0;
-    std::string text = fmt::format("{:4.0f} of {:.0f} s   {} of {} processes   {:5.1f} frames/s   {:.2f} posts a frame",
-                                   elapsed, seconds, alive, processes.size(), monitor.frames_per_second(),
-                                   monitor.posts_per_frame());
+    std::string text = fmt::format(
+        "{:4.0f} of {:.0f} s   {} of {} processes   {:5.1f} frames/s   {:.2f} posts a frame", elapsed,
+        seconds, alive, processes.size(), monitor.frames_per_second(), monitor.posts_per_frame());
     if (const auto& pose = monitor.pose()) {
-        text += fmt::format("   pose {:+.2f} m {:+.2f} m {:+4.0f}°", pose->x, pose->y, pose->theta * 180.0 / M_PI);
+        text += fmt::format("   pose {:+.2f} m {:+.2f} m {:+4.0f}°", pose->x, pose->y,
+                            pose->theta * 180.0 / M_PI);
     }
     if (!monitor.errors().empty()) {
         const PoseError& error = monitor.errors().back();
@@ -86,7 +95,8 @@ void report_event(const Launcher& launcher, const LauncherEvent& event, StatusLi
 Graph graph_for(const DemoOptions& options) {
     GraphOptions graph_options;
     graph_options.settings = options.settings;
-    if (options.images.empty()) return load_graph(options.graph.empty() ? "ransac" : options.graph, graph_options);
+    if (options.images.empty())
+        return load_graph(options.graph.empty() ? "ransac" : options.graph, graph_options);
     if (!std::filesystem::is_directory(options.images)) {
         throw ConfigurationError("--images: " + options.images + " is not a folder");
     }
@@ -95,9 +105,11 @@ Graph graph_for(const DemoOptions& options) {
 }
 
 int run_demo(const DemoOptions& options) {
+    if (!options.json.empty()) expect_writable(options.json, "--json");
+    make_output_folder(options.pictures, "--pictures");
     const Graph graph = graph_for(options);
     const std::string url = lcm_url_of(graph, options.lcm_url);
-    const std::string network = provide_network(url, options.network);
+    const std::string network = provide_network(url, network_choice(options.network));
     if (!network.empty()) std::cout << network << std::endl;
 
     LauncherOptions launcher_options;
@@ -107,27 +119,34 @@ int run_demo(const DemoOptions& options) {
     LcmBus bus(url);
     DemoMonitor monitor(bus, graph);
 
-    std::cout << "Running " << graph.file.filename().string() << ": " << graph.processes.size() << " processes for "
-              << options.seconds << " s; Ctrl-C ends it." << std::endl;
+    std::cout << "Running " << graph.file.filename().string() << ": " << graph.processes.size()
+              << " processes for " << options.seconds << " s; Ctrl-C ends it." << std::endl;
     launcher.start();
     StatusLine line(!options.headless && isatty(STDOUT_FILENO) == 1);
     const auto start = Clock::now();
     auto next_line = start;
+    auto end =
+        start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.seconds));
+    std::vector<ProcessReport> processes;
     bool failed = false;
-    while (StopSignals::received() == 0 && seconds_since(start) < options.seconds && !launcher.all_ended()) {
+    while (StopSignals::received() == 0 && Clock::now() < end && !failed) {
         bus.dispatch(std::chrono::milliseconds(20));
         for (const auto& event : launcher.poll(std::chrono::milliseconds(0))) {
             report_event(launcher, event, line);
             failed = failed || event.kind == LauncherEvent::Kind::failed;
+            if (event.kind == LauncherEvent::Kind::finished && processes.empty()) {
+                // The images are at their end. Rates are those of now, not of the silence that follows.
+                processes = launcher.processes();
+                end = std::min(end, Clock::now() + time_to_drain);
+            }
         }
-        if (failed) break;
         if (Clock::now() >= next_line) {
             line.show(status_text(monitor, launcher, seconds_since(start), options.seconds));
             next_line = Clock::now() + std::chrono::milliseconds(200);
         }
     }
     const double elapsed = seconds_since(start);
-    const auto processes = launcher.processes();
+    if (processes.empty()) processes = launcher.processes();
     line.clear();
     launcher.stop([] { return StopSignals::received() > 1; });
 
@@ -136,9 +155,7 @@ int run_demo(const DemoOptions& options) {
         std::cout << "Picture: " << picture.string() << std::endl;
     }
     if (!options.json.empty()) {
-        std::ofstream file(options.json);
-        file << demo_json(graph, processes, monitor, elapsed).dump(2) << '\n';
-        if (!file.flush()) throw std::runtime_error(options.json + ": cannot be written");
+        write_text(options.json, demo_json(graph, processes, monitor, elapsed).dump(2) + "\n", "--json");
         std::cout << "Figures: " << options.json << std::endl;
     }
     if (failed) return 1;
@@ -152,22 +169,25 @@ int run_demo(const DemoOptions& options) {
 }  // namespace
 
 void add_demo_verb(CLI::App& app, Action& action) {
-    auto* verb = app.add_subcommand("demo", "Run a graph on a simulated robot, and show what it saw and where it thought it was");
+    auto* verb = app.add_subcommand(
+        "demo", "Run a graph on a simulated robot, and show what it saw and where it thought it was");
     auto options = std::make_shared<DemoOptions>();
-    verb->add_option("--graph", options->graph, "graph file, or the name of one in config/graphs [ransac]")->type_name("GRAPH");
-    verb->add_option("--images", options->images, "real images (PNG, JPEG, PPM) instead of the simulator")->type_name("DIR");
-    verb->add_option("--seconds", options->seconds, "how long")->check(CLI::Range(1.0, 86400.0))->capture_default_str();
+    verb->add_option("--graph", options->graph, "graph file, or the name of one in config/graphs [ransac]")
+        ->type_name("GRAPH");
+    verb->add_option("--images", options->images, "real images (PNG, JPEG, PPM) instead of the simulator")
+        ->type_name("DIR");
+    verb->add_option("--seconds", options->seconds, "how long")
+        ->check(positive_number())
+        ->capture_default_str();
     verb->add_option("--json", options->json, "write the figures here, for programs")->type_name("FILE");
-    verb->add_option("--pictures", options->pictures, "folder for the two pictures")->type_name("DIR")->capture_default_str();
+    verb->add_option("--pictures", options->pictures, "folder for the two pictures")
+        ->type_name("DIR")
+        ->capture_default_str();
     verb->add_option("--set", options->settings, "a parameter of a process (repeatable)")
         ->type_name("PROCESS.KEY=VALUE")
         ->take_all();
     verb->add_option("--lcm-url", options->lcm_url, "where the graph talks [the graph's]")->type_name("URL");
-    verb->add_option("--network", options->network, "auto: the host's where multicast works, else a private one")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, NetworkChoice>{{"auto", NetworkChoice::automatic},
-                                                                                 {"host", NetworkChoice::host},
-                                                                                 {"private", NetworkChoice::separate}}))
-        ->type_name("auto|host|private");
+    add_network_option(*verb, options->network);
     verb->add_flag("--headless", options->headless, "no live line: for scripts");
     verb->callback([&action, options] { action = [options] { return run_demo(*options); }; });
 }

@@ -1,5 +1,11 @@
 #pragma once
 
+#include "core/geometry/pose2.h"
+#include "core/imaging/yuyv.h"
+#include "core/messaging/bus.h"
+#include "core/messaging/image_input.h"
+#include "core/process/graph.h"
+
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -14,12 +20,6 @@
 #include <goalmouth/pose_t.hpp>
 #include <goalmouth/posts_t.hpp>
 #include <goalmouth/truth_t.hpp>
-
-#include "core/geometry/pose2.h"
-#include "core/imaging/yuyv.h"
-#include "core/messaging/bus.h"
-#include "core/messaging/image_input.h"
-#include "core/process/graph.h"
 
 namespace goalmouth {
 
@@ -41,7 +41,8 @@ struct SeenFrame {
 /// Listens to a running graph and remembers what a person wants to know of it afterwards.
 class DemoMonitor {
   public:
-    /// Subscribes to the channels on which the graph publishes what is watched; a graph need not have them all.
+    /// Subscribes to the channels on which the graph publishes what is watched; a graph need not have them
+    /// all.
     DemoMonitor(Bus& bus, const Graph& graph);
 
     std::int64_t frames() const { return frames_; }

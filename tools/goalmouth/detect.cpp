@@ -2,22 +2,21 @@
 #include "core/imaging/file_error.h"
 #include "core/imaging/image_file.h"
 #include "core/process/configuration.h"
+#include "tools/goalmouth/checks.h"
 #include "tools/goalmouth/detect_report.h"
 #include "tools/goalmouth/image_chain.h"
+#include "tools/goalmouth/output.h"
 #include "tools/goalmouth/overlay.h"
 #include "tools/goalmouth/verbs.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <set>
 #include <string>
 #include <unistd.h>
 #include <vector>
-
-#include <opencv2/imgcodecs.hpp>
 
 namespace goalmouth {
 namespace {
@@ -59,12 +58,7 @@ std::vector<std::string> expand(const std::vector<std::string>& named) {
 class OverlayFolder {
   public:
     explicit OverlayFolder(fs::path folder) : folder_(std::move(folder)) {
-        if (folder_.empty()) return;
-        std::error_code problem;
-        fs::create_directories(folder_, problem);
-        if (problem)
-            throw ConfigurationError("--overlay: the folder " + folder_.string() +
-                                     " cannot be made: " + problem.message());
+        if (!folder_.empty()) make_output_folder(folder_, "--overlay");
     }
 
     void write(const std::string& file, YuyvView image, const ImageResult& result) {
@@ -76,9 +70,7 @@ class OverlayFolder {
         const std::string stem = fs::path(file).stem().string();
         std::string name = stem;
         for (int n = 2; !used_.insert(name).second; ++n) name = stem + "_" + std::to_string(n);
-        const fs::path target = folder_ / (name + ".png");
-        if (!cv::imwrite(target.string(), picture))
-            throw ConfigurationError("--overlay: " + target.string() + " cannot be written");
+        write_picture(folder_ / (name + ".png"), picture, "--overlay");
     }
 
   private:
@@ -110,11 +102,9 @@ void write_json(const std::string& target, const std::vector<nlohmann::ordered_j
     text += "\n]\n";
     if (target == "-") {
         std::cout << text;
-        return;
+    } else {
+        write_text(target, text, "--json");
     }
-    std::ofstream out(target);
-    out << text;
-    if (!out.flush()) throw ConfigurationError("--json: " + target + " cannot be written");
 }
 
 int detect(Options options) {
@@ -127,8 +117,9 @@ int detect(Options options) {
         options.chain.T_BC = camera_in_body(options.height, options.roll, options.pitch);
 
     const std::vector<std::string> files = expand(options.images);
-    OverlayFolder overlays(options.overlay);
+    if (!options.json.empty() && options.json != "-") expect_writable(options.json, "--json");
     ImageChain chain(options.chain);
+    OverlayFolder overlays(options.overlay);
     std::vector<nlohmann::ordered_json> reports;
     std::string summaries;
     int unreadable = 0;
@@ -177,13 +168,19 @@ void add_detect_verb(CLI::App& app, Action& action) {
                      "folder for pictures with border, candidates and posts drawn in");
     verb->add_option("--size", options->size, "WIDTHxHEIGHT of raw pictures [px]");
     CLI::Option* height = verb->add_option("--height", options->height, "camera above the ground [m]")
-                              ->check(CLI::PositiveNumber);
+                              ->check(positive_number());
     verb->add_option("--roll", options->roll, "camera roll, clockwise as the camera sees it [rad]")
+        ->check(any_number())
         ->needs(height);
-    verb->add_option("--pitch", options->pitch, "camera pitch, + down [rad]")->needs(height);
+    verb->add_option("--pitch", options->pitch, "camera pitch, + down [rad]")
+        ->check(any_number())
+        ->needs(height);
     verb->add_option("--set", options->chain.settings, "PROCESS.KEY=VALUE: a parameter of one stage")
         ->allow_extra_args(false);
-    verb->footer("Exit code 2 where a picture cannot be read; the others are processed all the same.");
+    verb->footer(
+        "Exit code: 0 all went well, 2 the command line, the graph or one of its files is wrong, or a "
+        "picture "
+        "cannot be read\n(the others are processed all the same).");
     verb->callback([options, &action] { action = [options] { return detect(*options); }; });
 }
 

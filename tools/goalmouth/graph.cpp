@@ -1,10 +1,10 @@
 #include "core/process/graph.h"
 
 #include "core/process/launcher_command.h"
+#include "tools/goalmouth/output.h"
 #include "tools/goalmouth/verbs.h"
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -23,6 +23,7 @@ void draw(const std::string& dot, const std::filesystem::path& file) {
     const std::string format = file.extension() == ".png" ? "png" : file.extension() == ".svg" ? "svg" : "";
     if (format.empty())
         throw ConfigurationError("--output: " + file.string() + " is neither a .svg nor a .png");
+    expect_writable(file, "--output");
     const CommandResult drawn = run_command({"dot", "-T" + format}, std::chrono::seconds(60), dot);
     if (!drawn.started) {
         throw std::runtime_error(
@@ -31,10 +32,7 @@ void draw(const std::string& dot, const std::filesystem::path& file) {
     }
     if (!drawn.succeeded())
         throw std::runtime_error("--output: dot: " + end_text(drawn.status) + ": " + drawn.error);
-    std::ofstream stream(file, std::ios::binary);
-    stream << drawn.output;
-    stream.close();
-    if (!stream) throw std::runtime_error("--output: " + file.string() + " cannot be written");
+    write_text(file, drawn.output, "--output");
 }
 
 int show_graph(const GraphVerbOptions& options) {

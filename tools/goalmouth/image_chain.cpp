@@ -189,6 +189,8 @@ ImageChain::ImageChain(const ImageChainOptions& options) : state_(std::make_uniq
     override_parameter(stages, "field", options.field, "--field");
 
     const fs::path camera = options.camera.empty() ? camera_of(graph) : options.camera;
+    if (!options.camera.empty() && !fs::exists(camera))
+        throw ConfigurationError("--camera: there is no file " + camera.string());
     if (!camera.empty()) state_->camera = load_parameters<Intrinsics>(camera);
     state_->T_BC = options.T_BC;
     for (const GraphProcess& process : stages) state_->add(graph, process);

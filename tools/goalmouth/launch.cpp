@@ -1,5 +1,7 @@
 #include "core/process/launcher.h"
+#include "tools/goalmouth/checks.h"
 #include "tools/goalmouth/launch_display.h"
+#include "tools/goalmouth/network_option.h"
 #include "tools/goalmouth/verbs.h"
 
 #include <chrono>
@@ -20,11 +22,6 @@ struct LaunchOptions {
     std::string network = "auto";
     bool quiet = false;
 };
-
-NetworkChoice network_choice(const std::string& word) {
-    if (word == "host") return NetworkChoice::host;
-    return word == "private" ? NetworkChoice::separate : NetworkChoice::automatic;
-}
 
 /// The exit code that a process which could not even begin stands for; 0 where all began.
 int broken_start(const std::vector<ProcessReport>& processes) {
@@ -74,7 +71,7 @@ void add_launch_verb(CLI::App& app, Action& action) {
         ->type_name("GRAPH")
         ->required();
     verb->add_option("--seconds", options->seconds, "end after this time [until Ctrl-C]")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_number());
     verb->add_option("--set", options->settings,
                      "one parameter of one process, over the graph's (repeatable)")
         ->type_name("PROCESS.KEY=VALUE")
@@ -87,11 +84,7 @@ void add_launch_verb(CLI::App& app, Action& action) {
     verb->add_option("--lcm-url", options->lcm_url,
                      "where the graph talks [the graph's lcm_url, or $LCM_DEFAULT_URL]")
         ->type_name("URL");
-    verb->add_option("--network", options->network,
-                     "host: the host's own; private: one for this graph alone; auto: private where the host "
-                     "carries no multicast")
-        ->check(CLI::IsMember({"auto", "host", "private"}))
-        ->capture_default_str();
+    add_network_option(*verb, options->network);
     verb->add_flag("--quiet,-q", options->quiet, "show only what goes wrong");
     verb->footer(
         "Ctrl-C ends the processes in good order, a second one at once.\n"

@@ -115,6 +115,21 @@ TEST_F(ImageFile, SaysWhereAFileCannotBeWritten) {
                  FileError);
 }
 
+TEST_F(ImageFile, WritingReplacesNeitherADeviceNorALink) {
+    const auto write = [](const std::filesystem::path& file) { write_yuyv(file, YuyvImage(2, 2).view()); };
+    const auto null = folder_.path() / "null";
+    std::filesystem::create_symlink("/dev/null", null);
+    write(null);
+    EXPECT_TRUE(std::filesystem::is_character_file(null));
+    EXPECT_THROW(write("/dev/full"), FileError);
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+    const auto link = folder_.path() / "link.yuyv";
+    std::filesystem::create_symlink("target.yuyv", link);
+    write(link);
+    EXPECT_TRUE(std::filesystem::is_symlink(link));
+    EXPECT_EQ(std::filesystem::file_size(folder_.path() / "target.yuyv"), 8U);
+}
+
 TEST(ImageSize, IsReadFromText) {
     EXPECT_EQ(parse_image_size("640x480"), (ImageSize{640, 480}));
     EXPECT_EQ(parse_image_size("1x1"), (ImageSize{1, 1}));

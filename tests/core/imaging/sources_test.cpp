@@ -2,10 +2,10 @@
 #include "core/imaging/directory_source.h"
 #include "core/imaging/file_error.h"
 #include "core/imaging/jpeg.h"
-#include "core/imaging/pace.h"
 #include "core/imaging/v4l2_source.h"
 #include "core/imaging/video_source.h"
 #include "tests/support/data.h"
+#include "tests/support/files.h"
 
 #include <set>
 #include <string>
@@ -13,7 +13,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
 namespace goalmouth {
@@ -28,12 +27,10 @@ constexpr auto no_wait = 0ms;
 class Sources : public testing::Test {
   protected:
     void picture(const std::string& name, int grey, int width = 8, int height = 4) {
-        ASSERT_TRUE(cv::imwrite((folder_.path() / name).string(),
-                                cv::Mat(height, width, CV_8UC3, cv::Scalar::all(grey))));
+        test::write_grey_picture(folder_.path() / name, grey, width, height);
     }
     void text(const std::string& name, const std::string& content) {
-        write_bytes(folder_.path() / name,
-                    {reinterpret_cast<const std::uint8_t*>(content.data()), content.size()});
+        test::write_text(folder_.path() / name, content);
     }
     SourceLog log() {
         return [this](const std::string& what) { said_.push_back(what); };
@@ -159,14 +156,6 @@ TEST_F(Sources, ACameraThatIsNotThereIsNamed) {
         std::runtime_error);
     settings.device = "/dev/null";
     EXPECT_THROW(V4l2Source(settings, log()), std::runtime_error);
-}
-
-TEST(Pace, DoesNotAddUpRounding) {
-    const Pace pace(30.0, 1000);
-    EXPECT_EQ(pace.utime(0), 1000);
-    EXPECT_EQ(pace.utime(1), 1000 + 33333);
-    EXPECT_EQ(pace.utime(3), 1000 + 100000);
-    EXPECT_EQ(pace.utime(30 * 3600), 1000 + 3600LL * 1000000);
 }
 
 TEST(Calibration, IsScaledToAnotherResolutionAndRefusedForAnotherShape) {

@@ -1,11 +1,11 @@
 #include "core/process/configuration.h"
 
+#include "tests/support/data.h"
+
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "tests/support/data.h"
 
 namespace goalmouth {
 namespace {
@@ -44,7 +44,9 @@ void describe_parameters(Visitor& v, Robot& p) {
     v.group("gait", p.gait, "how it walks");
 }
 
-Robot load(const std::string& text) { return load_parameters<Robot>(Configuration::from_text(text, "robot.yaml", "/robots")); }
+Robot load(const std::string& text) {
+    return load_parameters<Robot>(Configuration::from_text(text, "robot.yaml", "/robots"));
+}
 
 std::string error_of(const std::string& text) {
     try {
@@ -78,23 +80,28 @@ TEST(Configuration, ReadsEveryKind) {
 }
 
 TEST(Configuration, NamesFileLineKeyAndWhatIsValid) {
-    EXPECT_EQ(error_of("height: 1\njoints: 99\n"), "robot.yaml:2: joints: '99' is not a whole number in 1…40");
+    EXPECT_EQ(error_of("height: 1\njoints: 99\n"),
+              "robot.yaml:2: joints: '99' is not a whole number in 1…40");
     EXPECT_EQ(error_of("joints: many\n"), "robot.yaml:1: joints: 'many' is not a whole number in 1…40");
     EXPECT_EQ(error_of("joints: 3.5\n"), "robot.yaml:1: joints: '3.5' is not a whole number in 1…40");
     EXPECT_EQ(error_of("eyes: three\n"), "robot.yaml:1: eyes: 'three' is not one of: one, two");
-    EXPECT_EQ(error_of("gait:\n  sideways: perhaps\n"), "robot.yaml:2: gait.sideways: 'perhaps' is not true or false");
-    EXPECT_THAT(error_of("height: 0\n"), HasSubstr("robot.yaml:1: height: '0' is not a number of at least"));
+    EXPECT_EQ(error_of("gait:\n  sideways: perhaps\n"),
+              "robot.yaml:2: gait.sideways: 'perhaps' is not true or false");
+    EXPECT_THAT(error_of("height: 0\n"), HasSubstr("robot.yaml:1: height: '0' is not a number above 0"));
     EXPECT_THAT(error_of("height: .nan\n"), HasSubstr("height: '.nan' is not"));
     EXPECT_THAT(error_of("height: [1]\n"), HasSubstr("height: a list or group is not"));
     EXPECT_THAT(error_of("height:\n"), HasSubstr("height: nothing is not"));
     EXPECT_THAT(error_of("limits: 3\n"), HasSubstr("limits: '3' is not a list of numbers"));
-    EXPECT_THAT(error_of("limits: [1, 22]\n"), HasSubstr("limits: a list or group is not a list of numbers in 0…9"));
+    EXPECT_THAT(error_of("limits: [1, 22]\n"),
+                HasSubstr("limits: a list or group is not a list of numbers in 0…9"));
     EXPECT_THAT(error_of("gait: 3\n"), HasSubstr("robot.yaml:1: gait: expected 'key: value' lines"));
 }
 
 TEST(Configuration, RefusesUnknownAndRepeatedKeys) {
-    EXPECT_THAT(error_of("jionts: 3\n"), HasSubstr("robot.yaml:1: unknown key 'jionts'; did you mean 'joints'?"));
-    EXPECT_THAT(error_of("gait:\n  sped: 1\n"), HasSubstr("robot.yaml:2: unknown key 'gait.sped'; did you mean 'speed'?"));
+    EXPECT_THAT(error_of("jionts: 3\n"),
+                HasSubstr("robot.yaml:1: unknown key 'jionts'; did you mean 'joints'?"));
+    EXPECT_THAT(error_of("gait:\n  sped: 1\n"),
+                HasSubstr("robot.yaml:2: unknown key 'gait.sped'; did you mean 'speed'?"));
     EXPECT_THAT(error_of("joints: 3\njoints: 4\n"), HasSubstr("robot.yaml:2: joints: given twice"));
 }
 
@@ -115,8 +122,17 @@ TEST(Configuration, NamesAMissingFile) {
     EXPECT_THROW(Configuration::from_file(folder.path()), ConfigurationError);
 }
 
+TEST(Configuration, AFileOfZeroBytesIsNoConfiguration) {
+    test::TemporaryFolder folder;
+    std::ofstream(folder.path() / "empty.yaml");
+    EXPECT_THROW(Configuration::from_file(folder.path() / "empty.yaml"), ConfigurationError);
+    std::ofstream(folder.path() / "comment.yaml") << "# all as it was\n";
+    EXPECT_EQ(load_parameters<Robot>(Configuration::from_file(folder.path() / "comment.yaml")).joints, 20);
+}
+
 TEST(Configuration, OverridesWinAndAreChecked) {
-    Configuration configuration = Configuration::from_text("joints: 3\ngait:\n  speed: 0.1\n", "robot.yaml", "/robots");
+    Configuration configuration =
+        Configuration::from_text("joints: 3\ngait:\n  speed: 0.1\n", "robot.yaml", "/robots");
     configuration.set("joints", "5", "--set");
     configuration.set("gait.speed", "0.9", "--set");
     configuration.set("table", "t.gmct", "demo.yaml:3", "/graphs");
@@ -133,7 +149,8 @@ TEST(Configuration, OverridesWinAndAreChecked) {
             try {
                 load_parameters<Robot>(configuration);
             } catch (const ConfigurationError& error) {
-                EXPECT_THAT(error.what(), HasSubstr("--set: unknown key 'gait.sped'; did you mean 'gait.speed'?"));
+                EXPECT_THAT(error.what(),
+                            HasSubstr("--set: unknown key 'gait.sped'; did you mean 'gait.speed'?"));
                 throw;
             }
         },

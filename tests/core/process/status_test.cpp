@@ -1,14 +1,14 @@
 #include "core/process/status.h"
 
-#include <gtest/gtest.h>
+#include "core/messaging/clock.h"
+#include "core/messaging/memory_bus.h"
+#include "core/messaging/typed.h"
+
 #include <unistd.h>
 
 #include <goalmouth/counter_t.hpp>
 #include <goalmouth/status_t.hpp>
-
-#include "core/messaging/clock.h"
-#include "core/messaging/memory_bus.h"
-#include "core/messaging/typed.h"
+#include <gtest/gtest.h>
 
 namespace goalmouth {
 namespace {
@@ -63,7 +63,9 @@ TEST_F(StatusReport, ClaimsNoLatencyForReplayedData) {
     EXPECT_EQ(report().latency_p50, -1.0);
 }
 
-TEST_F(StatusReport, ClaimsNoLatencyWithoutOutput) { EXPECT_EQ(report().latency_p99, -1.0); }
+TEST_F(StatusReport, ClaimsNoLatencyWithoutOutput) {
+    EXPECT_EQ(report().latency_p99, -1.0);
+}
 
 TEST_F(StatusReport, ForgetsTheLatenciesItReported) {
     status.output(now_utime() - 1'000'000);

@@ -13,7 +13,8 @@ TEST(Text, SplitsAtTheSeparator) {
 }
 
 TEST(Text, SuggestsWhatIsClose) {
-    EXPECT_EQ(suggestion("atempts", {"attempts", "spacing"}), "did you mean 'attempts'? valid: attempts, spacing");
+    EXPECT_EQ(suggestion("atempts", {"attempts", "spacing"}),
+              "did you mean 'attempts'? valid: attempts, spacing");
 }
 
 TEST(Text, SuggestsNothingFarFetched) {

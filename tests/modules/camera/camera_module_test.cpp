@@ -1,13 +1,12 @@
 #include "modules/camera/camera_module.h"
 
-#include "core/imaging/conversion.h"
-#include "core/imaging/image_file.h"
 #include "core/messaging/frame_ring.h"
 #include "core/messaging/memory_bus.h"
 #include "core/messaging/typed.h"
 #include "core/process/configuration.h"
 #include "core/process/run_module.h"
 #include "tests/support/data.h"
+#include "tests/support/files.h"
 
 #include <chrono>
 #include <memory>
@@ -17,7 +16,6 @@
 #include <goalmouth/camera_info_t.hpp>
 #include <goalmouth/image_t.hpp>
 #include <gtest/gtest.h>
-#include <opencv2/imgcodecs.hpp>
 
 namespace goalmouth {
 namespace {
@@ -44,12 +42,10 @@ class Camera : public testing::Test {
         parameters_.start_time = 1.7e9;
     }
     void picture(const std::string& name, int grey, int width = 64, int height = 48) {
-        ASSERT_TRUE(cv::imwrite((folder_.path() / name).string(),
-                                cv::Mat(height, width, CV_8UC3, cv::Scalar::all(grey))));
+        test::write_grey_picture(folder_.path() / name, grey, width, height);
     }
     void text(const std::string& name, const std::string& content) {
-        write_bytes(folder_.path() / name,
-                    {reinterpret_cast<const std::uint8_t*>(content.data()), content.size()});
+        test::write_text(folder_.path() / name, content);
     }
     /// Runs the module until it has finished or sent `most` images.
     void run(std::size_t most = 1000) {

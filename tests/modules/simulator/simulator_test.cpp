@@ -41,7 +41,7 @@ SimulatorParameters few_frames(int frames) {
     SimulatorParameters p;
     p.realtime = false;
     p.frames = frames;
-    p.start_utime = 1700000000000000.0;
+    p.start_time = 1.7e9;
     p.linger = 0.0;
     return p;
 }

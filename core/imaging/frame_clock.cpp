@@ -1,12 +1,11 @@
-#include "core/simulation/frame_clock.h"
+#include "core/imaging/frame_clock.h"
 
 #include <cmath>
 
 namespace goalmouth {
 
-std::int64_t FrameClock::utime(std::int64_t k) const {
-    return start_ +
-           static_cast<std::int64_t>(std::llround(1e6 * static_cast<double>(k) / frames_per_second_));
+std::chrono::microseconds FrameClock::after_start(std::int64_t k) const {
+    return std::chrono::microseconds(std::llround(1e6 * static_cast<double>(k) / frames_per_second_));
 }
 
 std::int64_t FrameClock::latest(std::int64_t now) const {

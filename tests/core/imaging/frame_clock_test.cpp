@@ -1,4 +1,4 @@
-#include "core/simulation/frame_clock.h"
+#include "core/imaging/frame_clock.h"
 
 #include <gtest/gtest.h>
 
