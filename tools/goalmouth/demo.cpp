@@ -11,6 +11,7 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <iostream>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
@@ -39,6 +40,18 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// As much of a text as fits one line of the terminal: a longer one would wrap, and not be overwritten.
+std::string fitting(const std::string& text) {
+    winsize window{};
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_col == 0) return text;
+    std::size_t end = 0;
+    for (int columns = 0; end < text.size(); ++end) {
+        const bool begins_letter = (static_cast<unsigned char>(text[end]) & 0xC0U) != 0x80U;  // UTF-8
+        if (begins_letter && ++columns >= window.ws_col) break;
+    }
+    return text.substr(0, end);
+}
+
 /// One line that is rewritten in place on a terminal, and appears now and then elsewhere.
 class StatusLine {
   public:
@@ -46,7 +59,7 @@ class StatusLine {
 
     void show(const std::string& text) {
         if (live_) {
-            std::cout << "\r\x1b[K" << text << std::flush;
+            std::cout << "\r\x1b[K" << fitting(text) << std::flush;
             shown_ = true;
         } else if (Clock::now() >= next_) {
             std::cout << text << std::endl;
