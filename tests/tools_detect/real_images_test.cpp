@@ -1,6 +1,7 @@
 #include "core/imaging/image_file.h"
 #include "tests/support/data.h"
 #include "tests/tools_detect/annotations.h"
+#include "tests/tools_detect/failure_sheet.h"
 #include "tools/goalmouth/colours_train.h"
 #include "tools/goalmouth/image_chain.h"
 
@@ -14,7 +15,8 @@
 #include <gtest/gtest.h>
 
 // How many posts of the annotated real pictures are found, and how many that are none. Colour tables are
-// trained in four folds: the table a picture is judged with never saw it.
+// trained in four folds: the table a picture is judged with never saw it. What failed is drawn into
+// real_images/ of the build folder.
 namespace goalmouth {
 namespace {
 
@@ -52,10 +54,13 @@ Score evaluate(const std::filesystem::path& data, const std::filesystem::path& t
         chains.push_back(std::make_unique<ImageChain>(options));
     }
     Score sum;
+    FailureSheet failures;
     const auto pictures = pictures_of(data, set);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const YuyvImage image = read_image(data / pictures[i].file);
-        const Score one = score(pictures[i], chains[i % folds]->run(image.view()).posts);
+        const ImageResult result = chains[i % folds]->run(image.view());
+        const Score one = score(pictures[i], result.posts);
+        failures.add(pictures[i], image.view(), result, one);
         if (one.missed + one.wrong > 0) {
             std::printf("    %s: %d found, %d missed, %d wrong\n", pictures[i].file.c_str(), one.found,
                         one.missed, one.wrong);
@@ -65,6 +70,8 @@ Score evaluate(const std::filesystem::path& data, const std::filesystem::path& t
     std::printf("%s, %s: %d found, %d missed, %d wrong: recall %.1f %%, precision %.1f %%\n", set.c_str(),
                 detector.c_str(), sum.found, sum.missed, sum.wrong, 100.0 * sum.recall(),
                 100.0 * sum.precision());
+    failures.write(std::filesystem::path(GOALMOUTH_BINARY_DIR) / "real_images" /
+                   (set + "-" + detector + ".png"));
     return sum;
 }
 
