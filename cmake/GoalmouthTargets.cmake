@@ -2,7 +2,8 @@
 # goalmouth_module(NAME [DEPENDS target...])    a process: library goalmouth::module_NAME from all *.cpp but main.cpp,
 #                                               and the program NAME from main.cpp
 # goalmouth_program(NAME [DEPENDS target...])   a program of all *.cpp in the current folder
-# goalmouth_tests(NAME [DEPENDS target...])     one GoogleTest program of all *.cpp in the current folder
+# goalmouth_tests(NAME [SERIAL] [TIMEOUT s] [DEPENDS target...])   one GoogleTest program of all *.cpp in the current folder;
+#                                               SERIAL: its tests run beside no other
 
 set(GOALMOUTH_WARNINGS -Wall -Wextra -Wconversion -Wshadow -Wnon-virtual-dtor -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
@@ -67,7 +68,7 @@ function(goalmouth_program name)
 endfunction()
 
 function(goalmouth_tests name)
-  cmake_parse_arguments(arg "" "TIMEOUT" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "SERIAL" "TIMEOUT" "DEPENDS" ${ARGN})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
@@ -79,5 +80,5 @@ function(goalmouth_tests name)
                                                   GOALMOUTH_BINARY_DIR="${PROJECT_BINARY_DIR}")
   goalmouth_our_code(test_${name})
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120
-                       PROPERTIES TIMEOUT ${arg_TIMEOUT} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]|skipped: these tests")
+                       PROPERTIES TIMEOUT ${arg_TIMEOUT} RUN_SERIAL ${arg_SERIAL} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]|skipped: these tests")
 endfunction()

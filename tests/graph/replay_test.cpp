@@ -8,7 +8,9 @@
 #include "tests/graph/running_graph.h"
 #include "tests/support/data.h"
 
+#include <algorithm>
 #include <csignal>
+#include <iostream>
 #include <map>
 
 #include <goalmouth/border_t.hpp>
@@ -44,29 +46,24 @@ void collect(Results& results, const std::string& channel, std::span<const std::
 
 const std::vector<std::string> compared = {"SEGMENTS", "BORDER", "CANDIDATES", "POSTS", "POSE"};
 
-TEST(Replay, GivesWhatTheLogHoldsForEveryFrame) {
-    const test::TemporaryFolder folder;
-    const auto log = folder.path() / "run.lcmlog";
-    const std::string mark = test::new_mark();
+/// Runs the recording graph beside lcm-logger.
+void record(const std::filesystem::path& log, const std::string& mark) {
+    // A machine that also compiles need not keep up with 30 frames a second.
+    GraphOptions options;
+    options.settings = {"camera.frames_per_second=10", "camera.frames=80"};
+    test::Running logger({"lcm-logger", "--force", std::string("--lcm-url=") + url, log.string()}, mark);
+    ASSERT_TRUE(test::eventually([&] { return std::filesystem::exists(log); })) << logger.output();
+    test::RunningGraph graph(test::shipped_graph("record"), options);
+    ASSERT_TRUE(graph.until([&] { return graph.process("camera").state == ProcessState::finished; }))
+        << graph.story();
+    ASSERT_TRUE(graph.until([&] { return graph.messages("POSE") >= 60; })) << graph.story();
+    graph.launcher().stop();
+    logger.signal(SIGINT);
+    EXPECT_EQ(logger.wait(), 0);
+}
 
-    {
-        // A machine that also compiles need not keep up with 30 frames a second.
-        GraphOptions options;
-        options.settings = {"camera.frames_per_second=10", "camera.frames=80"};
-        test::Running logger({"lcm-logger", std::string("--lcm-url=") + url, log.string()}, mark);
-        ASSERT_TRUE(test::eventually([&] { return std::filesystem::exists(log); })) << logger.output();
-        test::RunningGraph graph(test::shipped_graph("record"), options);
-        ASSERT_TRUE(graph.until([&] { return graph.process("camera").state == ProcessState::finished; }))
-            << graph.story();
-        ASSERT_TRUE(graph.until([&] { return graph.messages("POSE") >= 60; })) << graph.story();
-        graph.launcher().stop();
-        logger.signal(SIGINT);
-        EXPECT_EQ(logger.wait(), 0);
-    }
-    Results recorded;
-    for (const LogEvent& event : read_log(log)) collect(recorded, event.channel, event.data);
-    ASSERT_GE(recorded["SEGMENTS"].size(), 60U);
-
+/// Plays the log into the replaying graph; what came out of it up to the frame `last`.
+Results replay(const std::filesystem::path& log, std::int64_t last, const std::string& mark) {
     Results replayed;
     LcmBus bus(url);
     for (const auto& channel : compared) {
@@ -75,44 +72,68 @@ TEST(Replay, GivesWhatTheLogHoldsForEveryFrame) {
         });
     }
     test::RunningGraph graph(test::shipped_graph("replay"));
-    ASSERT_TRUE(graph.until([&] {
-        for (const auto& process : graph.launcher().processes()) {
-            if (!process.status) return false;
-        }
-        return true;
+    EXPECT_TRUE(graph.until([&] {
+        const auto processes = graph.launcher().processes();
+        return std::all_of(processes.begin(), processes.end(),
+                           [](const ProcessReport& process) { return process.status.has_value(); });
     })) << graph.story();
     test::Running player({"lcm-logplayer", std::string("--lcm-url=") + url,
                           "--regexp=(IMAGE_TAP|IMAGE_SLICES|ODOMETRY|KINEMATICS)", log.string()},
                          mark);
-    const std::int64_t last = recorded["POSTS"].rbegin()->first;
-    EXPECT_TRUE(graph.until(
-        [&] {
-            bus.dispatch(std::chrono::milliseconds(1));
-            return replayed["POSTS"].contains(last);
-        },
-        std::chrono::seconds(60)))
-        << graph.story();
     graph.until(
         [&] {
             bus.dispatch(std::chrono::milliseconds(1));
-            return replayed["POSE"].size() >= recorded["POSE"].size();
+            return replayed["POSTS"].contains(last) && replayed["POSE"].contains(last);
         },
-        std::chrono::seconds(10));
+        std::chrono::seconds(30));
+    return replayed;
+}
 
-    for (const auto& channel : compared) {
-        int lost = 0;
-        int different = 0;
-        for (const auto& [seq, bytes] : recorded[channel]) {
-            const auto found = replayed[channel].find(seq);
-            if (found == replayed[channel].end()) {
-                ++lost;
-            } else if (found->second != bytes) {
-                ++different;
-            }
+struct Differences {
+    int lost = 0;       // frames that the log has and the replay has not
+    int different = 0;  // frames with other bytes
+};
+
+Differences compare(const std::map<std::int64_t, Bytes>& recorded,
+                    const std::map<std::int64_t, Bytes>& replayed) {
+    Differences result;
+    for (const auto& [seq, bytes] : recorded) {
+        const auto found = replayed.find(seq);
+        if (found == replayed.end()) {
+            ++result.lost;
+        } else if (found->second != bytes) {
+            ++result.different;
         }
-        EXPECT_EQ(lost, 0) << channel << ": of " << recorded[channel].size() << " frames";
-        EXPECT_EQ(different, 0) << channel << ": of " << recorded[channel].size() << " frames";
     }
+    return result;
+}
+
+// LCM loses datagrams where a machine has no time for a receiver: such a run is made again. A frame that
+// comes through has the same bytes in any case, and poses too unless a frame before them was lost.
+TEST(Replay, GivesWhatTheLogHoldsForEveryFrame) {
+    const test::TemporaryFolder folder;
+    const auto log = folder.path() / "run.lcmlog";
+    const std::string mark = test::new_mark();
+    int lost = 0;
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        record(log, mark);
+        if (HasFatalFailure()) return;
+        Results recorded;
+        for (const LogEvent& event : read_log(log)) collect(recorded, event.channel, event.data);
+        ASSERT_GE(recorded["SEGMENTS"].size(), 60U);
+        Results replayed = replay(log, recorded["POSTS"].rbegin()->first, mark);
+        lost = 0;
+        for (const auto& channel : compared) {
+            const Differences differences = compare(recorded[channel], replayed[channel]);
+            lost += differences.lost;
+            if (channel == "POSE" && lost > 0) continue;
+            EXPECT_EQ(differences.different, 0)
+                << channel << ": of " << recorded[channel].size() << " frames";
+        }
+        if (lost == 0) break;
+        std::cout << lost << " messages lost in attempt " << attempt + 1 << '\n';
+    }
+    EXPECT_EQ(lost, 0) << "in each of three attempts";
 }
 
 }  // namespace
