@@ -56,8 +56,8 @@ std::vector<std::int8_t> make_mottle() {
 
 }  // namespace
 
-GroundPainter::GroundPainter(const Scene& scene, const Light& light, const RayTable& rays)
-    : rays_(rays), layout_(scene.layout), ceiling_(scene.ceiling) {
+GroundPainter::GroundPainter(const Scene& scene, const Light& light, const Intrinsics& camera)
+    : layout_(scene.layout), ceiling_(scene.ceiling) {
     if (layout_.strokes.size() + layout_.rings.size() > most_parts)
         throw std::invalid_argument("more than 30 lines on a field");
     const auto lit = static_cast<float>(light.flat(Eigen::Vector3d::UnitZ()));
@@ -76,7 +76,9 @@ GroundPainter::GroundPainter(const Scene& scene, const Light& light, const RayTa
     coarse_ = make_map(0.1, 0.4);
     mottle_ = make_mottle();
     mottle_scale_ = static_cast<float>(scene.mottle / mottle_levels);
-    const auto width = static_cast<std::size_t>(rays.camera().width);
+    pixel_u_ = static_cast<float>(1.0 / camera.fx);
+    pixel_v_ = static_cast<float>(1.0 / camera.fy);
+    const auto width = static_cast<std::size_t>(camera.width);
     depth_.resize(width);
     x_.resize(width);
     y_.resize(width);
@@ -175,17 +177,16 @@ float GroundPainter::carpet_share(const Footprint& p) const {
     return strip_coverage(ends(hx - p.x), ends(hx + p.x)) * strip_coverage(sides(hy - p.y), sides(hy + p.y));
 }
 
-void GroundPainter::paint(int row, const LightRow& out) {
-    const float* nx = rays_.x_row(row);
-    const float* ny = rays_.y_row(row);
+void GroundPainter::paint(const RowRays& rays, const LightRow& out) {
+    const float* nx = rays.x;
+    const float* ny = rays.y;
     const int width = out.width;
     const Eigen::Matrix3f& R = R_WC_;
     const float r00 = R(0, 0), r01 = R(0, 1), r02 = R(0, 2);
     const float r10 = R(1, 0), r11 = R(1, 1), r12 = R(1, 2);
     const float r20 = R(2, 0), r21 = R(2, 1), r22 = R(2, 2);
     const float px = position_.x(), py = position_.y(), h = position_.z();
-    const auto pixel_u = static_cast<float>(1.0 / rays_.camera().fx);
-    const auto pixel_v = static_cast<float>(1.0 / rays_.camera().fy);
+    const float pixel_u = pixel_u_, pixel_v = pixel_v_;
     const float pixel = std::max(pixel_u, pixel_v);
     const float steepness = 1.5F / h;
     float* depth = depth_.data();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/camera.h"
 #include "core/simulation/light.h"
 #include "core/simulation/ray_table.h"
 #include "core/simulation/scene.h"
@@ -17,12 +18,12 @@ namespace goalmouth {
 /// keeps that to pixels that need it.
 class GroundPainter {
   public:
-    GroundPainter(const Scene& scene, const Light& light, const RayTable& rays);
+    GroundPainter(const Scene& scene, const Light& light, const Intrinsics& camera);
 
     /// For the frame to come; the camera must be above the ground.
     void look(const Eigen::Isometry3d& T_WC);
     /// Pixels at or above the horizon become ceiling.
-    void paint(int row, const LightRow& out);
+    void paint(const RowRays& rays, const LightRow& out);
 
   private:
     /// Which parts of the layout lie within `reach` of each square cell, as bits.
@@ -57,9 +58,9 @@ class GroundPainter {
     float line_share(std::uint32_t near, const Footprint& p) const;
     float carpet_share(const Footprint& p) const;
 
-    const RayTable& rays_;
     FieldLayout layout_;
     std::vector<FlatStroke> strokes_;
+    float pixel_u_ = 0.0F, pixel_v_ = 0.0F;  // size of a pixel on the plane z = 1 of frame C
     Rgb carpet_, line_, floor_, ceiling_;
     Map fine_, coarse_;
     std::vector<std::int8_t> mottle_;  // tile of the carpet's brightness

@@ -13,6 +13,9 @@ struct LightParameters {
     double azimuth = 0.9;
     double elevation = 1.05;
     double limb_darkening = 0.2;
+    bool shadows = false;
+    double lamp_size = 0.03;
+    double temperature = 6500.0;
 };
 
 template <class Visitor>
@@ -23,6 +26,10 @@ void describe_parameters(Visitor& v, LightParameters& p) {
     v("elevation", p.elevation, Range{0, 1.571}, "rad", "of the lamps above the horizon");
     v("limb_darkening", p.limb_darkening, Range{0, 1}, "1",
       "share of light a round surface loses where it turns away from the camera");
+    v("shadows", p.shadows, "goals, robots and ball cast shadows on the ground");
+    v("lamp_size", p.lamp_size, Range{0, 0.5}, "rad",
+      "angle across the lamps, which makes shadows soft far from what casts them; 0: sharp");
+    v("temperature", p.temperature, Range{1700, 25000}, "K", "colour temperature of all light");
 }
 
 /// How bright a matt surface is. Normals are unit vectors in frame W.

@@ -58,12 +58,12 @@ class SeenPanel : public SeenObject {
           colour_(colour),
           inside_(static_cast<std::size_t>(box.right + 1)) {}
 
-    void paint(int row, const RayTable& rays, const LightRow& out) override {
-        const float* x = rays.x_row(row);
-        const float* y = rays.y_row(row);
+    void paint(const RowRays& rays, const LightRow& out) override {
+        const float* x = rays.x;
+        const float* y = rays.y;
         const EdgePlane e0 = edges_[0], e1 = edges_[1], e2 = edges_[2], e3 = edges_[3];
         float* inside = inside_.data();
-        const Columns columns = columns_inside(edges_, row, rays);
+        const Columns columns = columns_inside(edges_, rays);
         for (int u = columns.first; u <= columns.last; ++u) {
             const float a = std::min(e0.distance(x[u], y[u]), e1.distance(x[u], y[u]));
             const float b = std::min(e2.distance(x[u], y[u]), e3.distance(x[u], y[u]));
@@ -114,10 +114,10 @@ class SeenTube : public SeenObject {
         end_light_ = static_cast<float>(light.flat(static_cast<double>(shown_end_) * tube.cylinder.axis));
     }
 
-    void paint(int row, const RayTable& rays, const LightRow& out) override {
-        const float* x = rays.x_row(row);
-        const float* y = rays.y_row(row);
-        const Columns columns = columns_inside(sides_, row, rays);
+    void paint(const RowRays& rays, const LightRow& out) override {
+        const float* x = rays.x;
+        const float* y = rays.y;
+        const Columns columns = columns_inside(sides_, rays);
         for (int u = columns.first; u <= columns.last; ++u) {
             const float l = sides_[0].distance(x[u], y[u]);
             const float r = sides_[1].distance(x[u], y[u]);
@@ -203,9 +203,9 @@ class SeenBall : public SeenObject {
           pixel_v_(static_cast<float>(1.0 / camera.fy)),
           lamps_(lamps.cast<float>()) {}
 
-    void paint(int row, const RayTable& rays, const LightRow& out) override {
-        const float* x = rays.x_row(row);
-        const float* y = rays.y_row(row);
+    void paint(const RowRays& rays, const LightRow& out) override {
+        const float* x = rays.x;
+        const float* y = rays.y;
         for (int u = box().left; u <= box().right; ++u) {
             const Vector3f ray(x[u], y[u], 1.0F);
             const float length = ray.norm();
@@ -247,18 +247,17 @@ double distance_to_segment(const Vector3d& a, const Vector3d& b) {
 
 }  // namespace
 
-SeenObject::Columns SeenObject::columns_inside(std::span<const EdgePlane> edges, int row,
-                                               const RayTable& rays) const {
-    if (rays.camera().has_distortion() || box_.left == box_.right) return {box_.left, box_.right};
-    const float* x = rays.x_row(row);
-    const float y = rays.y_row(row)[0];
+SeenObject::Columns SeenObject::columns_inside(std::span<const EdgePlane> edges, const RowRays& rays) const {
+    if (!rays.straight || box_.left == box_.right) return {box_.left, box_.right};
+    const float* x = rays.x;
+    const float* y = rays.y;
     const auto width = static_cast<float>(box_.right - box_.left);
     float first = 0.0F;
     float last = width;
     for (const EdgePlane& e : edges) {
         // The distance grows evenly along a row.
-        const float start = e.distance(x[box_.left], y) + 1.5F;
-        const float end = e.distance(x[box_.right], y) + 1.5F;
+        const float start = e.distance(x[box_.left], y[box_.left]) + 1.5F;
+        const float end = e.distance(x[box_.right], y[box_.right]) + 1.5F;
         if (start < 0.0F && end < 0.0F) return {0, -1};
         const float crossing = width * start / (start - end);
         if (start < 0.0F) first = std::max(first, crossing);

@@ -38,15 +38,15 @@ class SeenObject {
     const PixelBox& box() const { return box_; }
     /// Of its nearest part [m], for painting from far to near.
     double distance() const { return distance_; }
-    virtual void paint(int row, const RayTable& rays, const LightRow& out) = 0;
+    virtual void paint(const RowRays& rays, const LightRow& out) = 0;
 
   protected:
     /// Columns of a row within 1.5 px of the positive side of all `edges`, as first and last, within the box;
-    /// under distortion, where edges are curves, the whole box.
+    /// where edges are curves in the image, the whole box.
     struct Columns {
         int first, last;
     };
-    Columns columns_inside(std::span<const EdgePlane> edges, int row, const RayTable& rays) const;
+    Columns columns_inside(std::span<const EdgePlane> edges, const RowRays& rays) const;
 
   private:
     PixelBox box_;

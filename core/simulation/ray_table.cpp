@@ -2,7 +2,7 @@
 
 namespace goalmouth {
 
-RayTable::RayTable(const Intrinsics& camera) : camera_(camera) {
+RayTable::RayTable(const Intrinsics& camera) : camera_(camera), straight_(!camera.has_distortion()) {
     const auto size = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
     x_.resize(size);
     y_.resize(size);

@@ -8,6 +8,13 @@
 
 namespace goalmouth {
 
+/// The rays (x, y, 1) in frame C through the pixel centres of one row of the image.
+struct RowRays {
+    const float* x;
+    const float* y;
+    bool straight;  // (x, y) moves evenly along the row, so that straight edges cross it once
+};
+
 /// The ray (x, y, 1) in frame C through the centre of each pixel, distortion undone, worked out once for a
 /// camera.
 class RayTable {
@@ -15,14 +22,14 @@ class RayTable {
     explicit RayTable(const Intrinsics& camera);
 
     const Intrinsics& camera() const { return camera_; }
-    const float* x_row(int row) const { return x_.data() + offset(row); }
-    const float* y_row(int row) const { return y_.data() + offset(row); }
+    RowRays row(int y) const { return {x_.data() + offset(y), y_.data() + offset(y), straight_}; }
 
   private:
     std::size_t offset(int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(camera_.width);
     }
     Intrinsics camera_;
+    bool straight_;
     std::vector<float> x_;
     std::vector<float> y_;
 };

@@ -10,7 +10,7 @@ Renderer::Renderer(Scene scene, const Intrinsics& camera, const LightParameters&
     : scene_(std::move(scene)),
       light_(light),
       rays_(camera),
-      ground_(scene_, light_, rays_),
+      ground_(scene_, light_, camera),
       sensor_(sensor, camera.width, camera.height) {}
 
 void Renderer::move_ball(const Eigen::Vector2d& position) {
@@ -34,9 +34,10 @@ void Renderer::render(const Eigen::Isometry3d& T_WC, Random& random, std::uint8_
     sensor_.begin(out, stride, random);
     for (int row = 0; row < camera().height; ++row) {
         const LightRow light = sensor_.next_row();
-        ground_.paint(row, light);
+        const RowRays rays = rays_.row(row);
+        ground_.paint(rays, light);
         for (const auto& object : seen_)
-            if (row >= object->box().top && row <= object->box().bottom) object->paint(row, rays_, light);
+            if (row >= object->box().top && row <= object->box().bottom) object->paint(rays, light);
         sensor_.finish_row();
     }
     seen_.clear();

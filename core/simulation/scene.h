@@ -24,11 +24,15 @@ struct SceneParameters {
     std::vector<double> floor = {112, 108, 110};
     std::vector<double> wall = {186, 186, 190};
     double mottle = 0.05;
+    bool own_goal = true;
     bool goal_frame = true;
     double room_margin = 1.6;
     double room_height = 3.0;
     int posters = 22;
     int spectators = 7;
+    int distractors = 0;
+    int robots = 0;
+    bool any_colour = false;
     int clutter_seed = 7;
     double ball_x = -1.2;
     double ball_y = 0.0;
@@ -47,13 +51,19 @@ void describe_parameters(Visitor& v, SceneParameters& p) {
     v("wall", p.wall, level, "1", "colour of the walls");
     v("mottle", p.mottle, Range{0, 0.5}, "1",
       "σ of the carpet's brightness from spot to spot, as a share of it");
+    v("own_goal", p.own_goal, "the own goal stands too; false: only the opponents'");
     v("goal_frame", p.goal_frame, "thin white struts behind the goals, as nets hang on");
     v("room_margin", p.room_margin, Range{0.1, 100}, "m", "from the carpet to the walls");
     v("room_height", p.room_height, Range{1, 30}, "m", "height of the walls");
     v("posters", p.posters, Range{0, 200}, "1", "coloured rectangles on the walls");
     v("spectators", p.spectators, Range{0, 100}, "1", "people between carpet and walls");
+    v("distractors", p.distractors, Range{0, 100}, "1",
+      "things in the goals' colour beyond the carpet: poles, banners, shirts");
+    v("robots", p.robots, Range{0, 20}, "1", "other robots on the field, some of them fallen");
+    v("any_colour", p.any_colour,
+      "posters and clothes in any colour, also the carpet's and the goals'; false: in colours like neither");
     v("clutter_seed", p.clutter_seed, Range{0, 1e9}, "1",
-      "posters and spectators are drawn from it, nothing else is");
+      "posters, spectators, distractors and robots are drawn from it, nothing else is");
     v("ball_on_penalty_mark", p.ball_on_penalty_mark,
       "the ball lies on the own half's penalty mark, not at ball_x, ball_y");
     v("ball_x", p.ball_x, Range{-100, 100}, "m", "where the ball lies, frame W");

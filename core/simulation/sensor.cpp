@@ -32,7 +32,7 @@ Sensor::Sensor(const SensorParameters& parameters, int width, int height)
       height_(height),
       pairs_((width + 1) / 2),
       reach_(parameters.blur > 0.0 ? static_cast<int>(std::ceil(3.5 * parameters.blur)) : 0),
-      noise_(static_cast<float>(parameters.noise)) {
+      noise_(static_cast<float>(parameters.read_noise)) {
     assert(width > 0 && height > 0);
     double sum = 0.0;
     std::vector<double> weights;

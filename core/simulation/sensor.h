@@ -14,14 +14,22 @@ namespace goalmouth {
 /// From light on the sensor to the bytes of a webcam.
 struct SensorParameters {
     double blur = 0.85;
-    double noise = 6.0;
+    double vignetting = 0.0;
+    double read_noise = 6.0;
+    double photon_noise = 0.0;
 };
 
 template <class Visitor>
 void describe_parameters(Visitor& v, SensorParameters& p) {
     v("blur", p.blur, Range{0, 8}, "px", "σ of the optical blur");
-    v("noise", p.noise, Range{0, 128}, "1",
-      "σ of the noise of each pixel's red, green and blue, in levels of 0…255");
+    v("vignetting", p.vignetting, Range{0, 8}, "1",
+      "levels fall by the n-th power of the cosine of the angle to the optical axis; 4: an ideal thin lens, "
+      "0: not");
+    v("read_noise", p.read_noise, Range{0, 128}, "1",
+      "σ of the noise of each pixel's red, green and blue in the dark, in levels of 0…255");
+    v("photon_noise", p.photon_noise, Range{0, 16}, "1",
+      "variance of that noise gained with each level of light: photon noise, one over the electrons a level "
+      "stands for");
 }
 
 /// Takes the light of a frame row by row, blurs it, adds noise and writes YUYV (4:2:2, BT.601, full range;

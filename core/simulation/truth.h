@@ -20,6 +20,7 @@ struct TruePost {
     double distance_m = 0.0;   // m, camera centre to the axis, along the ground
     double bearing_rad = 0.0;  // of the silhouette's middle: atan(−x/z) of the mean of its four ends; + left
     CylinderEdges edges;   // px, undistorted, ground to upper edge of the crossbar; may lie outside the image
+    double inside = 0.0;   // share of the silhouette inside the image, 0…1
     double visible = 0.0;  // share of the silhouette inside the image and not hidden, 0…1
 };
 

@@ -58,7 +58,7 @@ Score evaluate(const std::filesystem::path& data, const std::filesystem::path& t
     const auto pictures = pictures_of(data, set);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const YuyvImage image = read_image(data / pictures[i].file);
-        const ImageResult result = chains[i % folds]->run(image.view());
+        const ImageResult result = chains[i % folds]->run({.image = image.view(), .camera = {}});
         const Score one = score(pictures[i], result.posts);
         failures.add(pictures[i], image.view(), result, one);
         if (one.missed + one.wrong > 0) {

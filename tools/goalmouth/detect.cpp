@@ -135,7 +135,7 @@ int detect(Options options) {
                 ++unreadable;
                 continue;
             }
-            const ImageResult result = chain.run(image.view());
+            const ImageResult result = chain.run({.image = image.view(), .camera = {}});
             overlays.write(file, image.view(), result);
             if (!options.json.empty()) reports.push_back(image_report(file, result));
             summaries += image_summary(file, result);

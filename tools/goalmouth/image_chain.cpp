@@ -89,10 +89,10 @@ fs::path camera_of(const Graph& graph) {
     return found;
 }
 
-image_t image_message(YuyvView image, const Intrinsics& camera, std::int64_t utime) {
+image_t image_message(YuyvView image, const Intrinsics& camera, std::int64_t utime, std::int64_t seq) {
     image_t m{};
     m.utime = utime;
-    m.seq = 0;
+    m.seq = seq;
     m.camera = "picture";
     m.intrinsics = to_message(camera);
     m.width = image.width;
@@ -199,10 +199,11 @@ ImageChain::ImageChain(const ImageChainOptions& options) : state_(std::make_uniq
 
 ImageChain::~ImageChain() = default;
 
-ImageResult ImageChain::run(YuyvView image) {
+ImageResult ImageChain::run(const ChainFrame& frame) {
+    const YuyvView& image = frame.image;
     State& s = *state_;
     s.result = {};
-    s.result.camera = scaled_to(s.camera, image.width, image.height);
+    s.result.camera = frame.camera.value_or(scaled_to(s.camera, image.width, image.height));
     s.utime += 1'000'000;
     std::vector<std::chrono::nanoseconds> before;
     for (const auto& stage : s.stages) before.push_back(stage->bus->time_spent());
@@ -210,9 +211,9 @@ ImageResult ImageChain::run(YuyvView image) {
     MemoryBus& source = s.hub.endpoint("picture");
     if (s.T_BC) {
         for (const auto& channel : s.kinematics_channels)
-            publish(source, channel, kinematics_message(*s.T_BC, s.utime, 0));
+            publish(source, channel, kinematics_message(*s.T_BC, s.utime, frame.seq));
     }
-    const image_t message = image_message(image, s.result.camera, s.utime);
+    const image_t message = image_message(image, s.result.camera, s.utime, frame.seq);
     for (const auto& channel : s.image_channels) publish(source, channel, message);
     s.hub.run_until_idle();
 

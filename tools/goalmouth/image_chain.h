@@ -38,9 +38,16 @@ struct ImageChainOptions {
     std::optional<Eigen::Isometry3d> T_BC;  // of all pictures, where known
 };
 
+/// One picture for the chain.
+struct ChainFrame {
+    YuyvView image;
+    std::int64_t seq = 0;              // what is drawn at random for it follows from this number
+    std::optional<Intrinsics> camera;  // of this picture, at its size; else the chain's, scaled to it
+};
+
 /// The part of a graph that leads from pictures to goalposts, as module objects on a bus in memory: what the
-/// processes would do, in one process and without drops. Each picture is a frame of its own, with number 0,
-/// so what is drawn at random for it, and so its result, does not depend on the pictures before.
+/// processes would do, in one process and without drops. Each picture is a frame of its own, so that
+/// its result does not depend on the pictures before.
 class ImageChain {
   public:
     /// Throws ConfigurationError, also where the graph has a stage whose program is not ours or finds no
@@ -50,7 +57,7 @@ class ImageChain {
     ImageChain(const ImageChain&) = delete;
     ImageChain& operator=(const ImageChain&) = delete;
 
-    ImageResult run(YuyvView image);
+    ImageResult run(const ChainFrame& frame);
 
     /// Names of the processes that take part, upstream first.
     std::vector<std::string> stages() const;

@@ -33,7 +33,7 @@ inline LightParameters plain_light() {
 }
 
 inline SensorParameters ideal_sensor() {
-    return {.blur = 0.0, .noise = 0.0};
+    return {.blur = 0.0, .read_noise = 0.0};
 }
 
 inline YuyvImage render_plain(const Field& field, const SceneParameters& scene, const Intrinsics& camera,

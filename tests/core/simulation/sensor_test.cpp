@@ -31,7 +31,7 @@ YuyvImage expose(const SensorParameters& parameters, int width, int height,
 
 TEST(Sensor, ColoursAreBt601FullRange) {
     const auto pixel = [](Rgb colour) {
-        return expose({.blur = 0.0, .noise = 0.0}, 8, 4, [&](int, int) { return colour; }).view().at(3, 2);
+        return expose({.blur = 0.0, .read_noise = 0.0}, 8, 4, [&](int, int) { return colour; }).view().at(3, 2);
     };
     const Ycbcr red = pixel({255, 0, 0});
     EXPECT_EQ(red.y, 76);
@@ -50,7 +50,7 @@ TEST(Sensor, ColoursAreBt601FullRange) {
 }
 
 TEST(Sensor, ChromaIsTheMeanOfAPair) {
-    const YuyvImage image = expose({.blur = 0.0, .noise = 0.0}, 8, 2, [](int x, int) {
+    const YuyvImage image = expose({.blur = 0.0, .read_noise = 0.0}, 8, 2, [](int x, int) {
         return x % 2 == 0 ? Rgb{200, 0, 0} : Rgb{0, 0, 200};
     });
     const Ycbcr left = image.view().at(4, 1);
@@ -64,7 +64,7 @@ TEST(Sensor, ChromaIsTheMeanOfAPair) {
 TEST(Sensor, BlurTurnsAStepIntoAnErrorFunction) {
     for (const double sigma : {0.5, 0.85, 1.7})
         for (const bool upright : {true, false}) {
-            const YuyvImage image = expose({.blur = sigma, .noise = 0.0}, 40, 40, [&](int x, int y) {
+            const YuyvImage image = expose({.blur = sigma, .read_noise = 0.0}, 40, 40, [&](int x, int y) {
                 const float level = (upright ? x : y) < 20 ? 20.0F : 220.0F;
                 return Rgb{level, level, level};
             });
@@ -83,7 +83,7 @@ TEST(Sensor, BlurTurnsAStepIntoAnErrorFunction) {
 
 TEST(Sensor, BlurDoesNotMoveChroma) {
     // A red bar, symmetric about the middle of a pair.
-    const YuyvImage image = expose({.blur = 0.85, .noise = 0.0}, 64, 8, [](int x, int) {
+    const YuyvImage image = expose({.blur = 0.85, .read_noise = 0.0}, 64, 8, [](int x, int) {
         return x >= 28 && x <= 33 ? Rgb{200, 30, 30} : Rgb{30, 30, 30};
     });
     for (int i = 1; i <= 12; ++i)
@@ -92,7 +92,7 @@ TEST(Sensor, BlurDoesNotMoveChroma) {
 }
 
 TEST(Sensor, UniformLightStaysUniformToTheRim) {
-    const YuyvImage image = expose({.blur = 1.3, .noise = 0.0}, 31, 9, [](int, int) {
+    const YuyvImage image = expose({.blur = 1.3, .read_noise = 0.0}, 31, 9, [](int, int) {
         return Rgb{90, 150, 40};
     });
     for (int y = 0; y < 9; ++y)
@@ -105,7 +105,7 @@ TEST(Sensor, UniformLightStaysUniformToTheRim) {
 
 TEST(Sensor, ImagesSmallerThanTheBlurWork) {
     for (const int size : {1, 2, 3}) {
-        const YuyvImage image = expose({.blur = 2.0, .noise = 0.0}, size, size, [](int, int) {
+        const YuyvImage image = expose({.blur = 2.0, .read_noise = 0.0}, size, size, [](int, int) {
             return Rgb{50, 50, 50};
         });
         EXPECT_EQ(image.view().at(size - 1, size - 1).y, 50);
@@ -130,7 +130,7 @@ Moments moments(const YuyvImage& image, const std::function<double(Ycbcr)>& chan
 }
 
 TEST(Sensor, NoiseHasTheSigmaOfRedGreenAndBlue) {
-    const YuyvImage image = expose({.blur = 0.85, .noise = 6.0}, 640, 480, [](int, int) {
+    const YuyvImage image = expose({.blur = 0.85, .read_noise = 6.0}, 640, 480, [](int, int) {
         return Rgb{100, 120, 90};
     });
     const double rounding = 1.0 / 12.0;
@@ -150,7 +150,7 @@ TEST(Sensor, NoiseHasTheSigmaOfRedGreenAndBlue) {
 }
 
 TEST(Sensor, NoiseOfNeighboursIsIndependent) {
-    const YuyvImage image = expose({.blur = 0.85, .noise = 6.0}, 640, 480, [](int, int) {
+    const YuyvImage image = expose({.blur = 0.85, .read_noise = 6.0}, 640, 480, [](int, int) {
         return Rgb{100, 100, 100};
     });
     double along = 0.0, down = 0.0, self = 0.0;
@@ -166,7 +166,7 @@ TEST(Sensor, NoiseOfNeighboursIsIndependent) {
 }
 
 TEST(Sensor, FramesDifferByTheirRandomNumbersOnly) {
-    Sensor sensor({.blur = 0.85, .noise = 6.0}, 64, 48);
+    Sensor sensor({.blur = 0.85, .read_noise = 6.0}, 64, 48);
     const auto grey = [](int, int) { return Rgb{100, 100, 100}; };
     const auto one = expose(sensor, 64, 48, Random(1), grey).data;
     const auto other = expose(sensor, 64, 48, Random(2), grey).data;
