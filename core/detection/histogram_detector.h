@@ -12,8 +12,8 @@ namespace goalmouth {
 
 struct HistogramParameters {
     int bins = 20;
-    double peak_threshold = 200.0;
-    double length_limit = 3.0;
+    double peak_threshold = 150.0;
+    double length_limit = 1.0;
     double edge_sigma = 2.0;
     MeasurementParameters measurement;
     PostSideParameters sides;

@@ -5,6 +5,9 @@
 #include "core/simulation/colour.h"
 
 #include <array>
+#include <cstddef>
+
+#include <Eigen/Core>
 
 namespace goalmouth {
 
@@ -28,8 +31,9 @@ void describe_parameters(Visitor& v, ExposureParameters& p) {
     v("drift_period", p.drift_period, Range{0.1, 10000}, "s", "of the slowest part of the wander");
 }
 
-/// Gains of the three channels over time: wanders smoothly about its settings, with phases drawn once for a
-/// run.
+/// Gains of the three channels over time: gain · colour cast · exp(wander). The wander is a sum of sines of
+/// incommensurate periods whose phases are drawn once for a run, so that it is smooth and never repeats. All
+/// light of the hall has one colour temperature, which is why the cast can be a gain.
 class Exposure {
   public:
     /// `light_temperature` [K]: of the light the camera looks at (LightParameters::temperature).
@@ -39,13 +43,20 @@ class Exposure {
 
   private:
     static constexpr std::size_t waves = 3;
+    double wander(std::size_t channel, double time) const;  // 0 overall, 1 red, 2 blue; σ 1 over a long run
+
     ExposureParameters parameters_;
     Rgb cast_;  // of the light's colour temperature against the white balance, green 1
     std::array<std::array<double, waves>, 3> phases_;
 };
 
-/// Red, green and blue of a black body's light at a temperature [K], as shares of those at `reference` [K],
-/// green 1.
+/// CIE 1931 chromaticity (x, y) of a black body of 1667…25000 K, by the cubic splines of Kang et al., Design
+/// of advanced color temperature control system for HDTV applications, J. Korean Phys. Soc. 41, 2002; off by
+/// less than 0.001. Colder and hotter ones count as the nearest of these.
+Eigen::Vector2d planckian_chromaticity(double temperature);
+
+/// Red, green and blue (linear, of the sRGB primaries) of a black body's light at a temperature [K], as
+/// shares of those at `reference` [K], green 1.
 Rgb light_colour(double temperature, double reference);
 
 }  // namespace goalmouth

@@ -2,6 +2,7 @@
 
 #include "core/random/random.h"
 #include "core/simulation/coverage.h"
+#include "core/simulation/vectorised.h"
 
 #include <algorithm>
 #include <bit>
@@ -57,13 +58,9 @@ std::vector<std::int8_t> make_mottle() {
 }  // namespace
 
 GroundPainter::GroundPainter(const Scene& scene, const Light& light, const Intrinsics& camera)
-    : layout_(scene.layout), ceiling_(scene.ceiling) {
+    : layout_(scene.layout) {
     if (layout_.strokes.size() + layout_.rings.size() > most_parts)
         throw std::invalid_argument("more than 30 lines on a field");
-    const auto lit = static_cast<float>(light.flat(Eigen::Vector3d::UnitZ()));
-    carpet_ = lit * scene.carpet;
-    line_ = lit * scene.line;
-    floor_ = lit * scene.floor;
     for (const Stroke& s : layout_.strokes) {
         const Eigen::Vector2d middle = 0.5 * (s.from + s.to);
         const Eigen::Vector2d run = s.to - s.from;
@@ -75,7 +72,6 @@ GroundPainter::GroundPainter(const Scene& scene, const Light& light, const Intri
     fine_ = make_map(0.025, 0.04);
     coarse_ = make_map(0.1, 0.4);
     mottle_ = make_mottle();
-    mottle_scale_ = static_cast<float>(scene.mottle / mottle_levels);
     pixel_u_ = static_cast<float>(1.0 / camera.fx);
     pixel_v_ = static_cast<float>(1.0 / camera.fy);
     const auto width = static_cast<std::size_t>(camera.width);
@@ -86,6 +82,18 @@ GroundPainter::GroundPainter(const Scene& scene, const Light& light, const Intri
     cell_.resize(width);
     spot_.resize(width);
     shade_.resize(width);
+    change_scene(scene, light);
+}
+
+void GroundPainter::change_scene(const Scene& scene, const Light& light) {
+    const auto lit = static_cast<float>(light.flat(Eigen::Vector3d::UnitZ()));
+    carpet_ = lit * scene.carpet;
+    line_ = lit * scene.line;
+    floor_ = lit * scene.floor;
+    ceiling_ = scene.ceiling;
+    mottle_scale_ = static_cast<float>(scene.mottle / mottle_levels);
+    shadows_ = ShadowMap(scene, light);
+    lamps_share_ = static_cast<float>(light.lamps_share_on_ground());
 }
 
 GroundPainter::Map GroundPainter::make_map(double cell, double reach) const {
@@ -130,6 +138,21 @@ GroundPainter::Map GroundPainter::make_map(double cell, double reach) const {
 void GroundPainter::look(const Eigen::Isometry3d& T_WC) {
     R_WC_ = T_WC.linear().cast<float>();
     position_ = T_WC.translation().cast<float>();
+}
+
+Footprint GroundPainter::footprint(float x, float y, float depth) const {
+    // Derivative of position + depth(d)·R·d on the plane.
+    const Eigen::Matrix3f& R = R_WC_;
+    const float sx = (x - position_.x()) / position_.z();
+    const float sy = (y - position_.y()) / position_.z();
+    const float tu = depth * pixel_u_;
+    const float tv = depth * pixel_v_;
+    return {x,
+            y,
+            tu * (R(0, 0) + R(2, 0) * sx),
+            tu * (R(1, 0) + R(2, 0) * sy),
+            tv * (R(0, 1) + R(2, 1) * sx),
+            tv * (R(1, 1) + R(2, 1) * sy)};
 }
 
 float GroundPainter::stroke_share(const FlatStroke& s, const Footprint& p) const {
@@ -177,7 +200,7 @@ float GroundPainter::carpet_share(const Footprint& p) const {
     return strip_coverage(ends(hx - p.x), ends(hx + p.x)) * strip_coverage(sides(hy - p.y), sides(hy + p.y));
 }
 
-void GroundPainter::paint(const RowRays& rays, const LightRow& out) {
+GOALMOUTH_VECTORISED void GroundPainter::paint(const RowRays& rays, const LightRow& out) {
     const float* nx = rays.x;
     const float* ny = rays.y;
     const int width = out.width;
@@ -275,16 +298,26 @@ void GroundPainter::paint(const RowRays& rays, const LightRow& out) {
             continue;
         }
         if (near == 0) continue;
-        // How the ground point moves from pixel to pixel: derivative of position + t(d)·R·d on the plane.
-        const float sx = (x - px) / h;
-        const float sy = (y - py) / h;
-        const float tu = t * pixel_u;
-        const float tv = t * pixel_v;
-        const Footprint p{
-            x, y, tu * (r00 + r20 * sx), tu * (r10 + r20 * sy), tv * (r01 + r21 * sx), tv * (r11 + r21 * sy)};
+        const Footprint p = footprint(x, y, t);
         const std::uint32_t lines = near & ~(carpet_edge_bit | outside_bit);
         if (lines != 0) out.blend(u, line_, line_share(lines, p));
         if ((near & carpet_edge_bit) != 0) out.blend(u, floor_, 1.0F - carpet_share(p));
+    }
+    if (!shadows_.empty()) cast_shadows(out);
+}
+
+void GroundPainter::cast_shadows(const LightRow& out) {
+    shadows_.find_cells(x_.data(), y_.data(), out.width, cell_.data());
+    for (int u = 0; u < out.width; ++u) {
+        const auto i = static_cast<std::size_t>(u);
+        const int first = shadows_.first_in(cell_[i], x_[i], y_[i], radius_[i]);
+        if (first < 0 || !(depth_[i] > 0.0F)) continue;
+        const float lost = shadows_.share(first, footprint(x_[i], y_[i], depth_[i]));
+        if (lost <= 0.0F) continue;
+        const float left = 1.0F - lamps_share_ * lost;
+        out.r[u] *= left;
+        out.g[u] *= left;
+        out.b[u] *= left;
     }
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/geometry/camera.h"
+#include "core/simulation/coverage.h"
 #include "core/simulation/light.h"
 #include "core/simulation/ray_table.h"
 #include "core/simulation/scene.h"
+#include "core/simulation/shadow.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -13,12 +15,15 @@
 
 namespace goalmouth {
 
-/// Paints what lies in the plane z = 0: carpet, lines, floor. The share of each pixel that a line covers is
-/// worked out from the line's edges and the pixel's footprint on the ground; a map of which lines are near
-/// keeps that to pixels that need it.
+/// Paints what lies in the plane z = 0: carpet, lines, floor, and the shadows on them. The share of each
+/// pixel that a line covers is worked out from the line's edges and the pixel's footprint on the ground; a
+/// map of which lines are near keeps that to pixels that need it.
 class GroundPainter {
   public:
     GroundPainter(const Scene& scene, const Light& light, const Intrinsics& camera);
+
+    /// Another hall with the same lines, carpet size and mottle: colours and shadows change.
+    void change_scene(const Scene& scene, const Light& light);
 
     /// For the frame to come; the camera must be above the ground.
     void look(const Eigen::Isometry3d& T_WC);
@@ -48,21 +53,23 @@ class GroundPainter {
     struct FlatStroke {  // a stroke as its middle, direction and half sizes
         float x, y, dx, dy, half_length, half_width;
     };
-    struct Footprint {  // a pixel on the ground: its centre and how far one pixel to the right and down is
-        float x, y, xu, yu, xv, yv;
-    };
 
     Map make_map(double cell, double reach) const;
     float stroke_share(const FlatStroke& stroke, const Footprint& p) const;
     float ring_share(const Ring& ring, const Footprint& p) const;
     float line_share(std::uint32_t near, const Footprint& p) const;
     float carpet_share(const Footprint& p) const;
+    /// Of a pixel whose ray meets the ground in (x, y), `depth` along the optical axis.
+    Footprint footprint(float x, float y, float depth) const;
+    void cast_shadows(const LightRow& out);
 
     FieldLayout layout_;
     std::vector<FlatStroke> strokes_;
     float pixel_u_ = 0.0F, pixel_v_ = 0.0F;  // size of a pixel on the plane z = 1 of frame C
     Rgb carpet_, line_, floor_, ceiling_;
     Map fine_, coarse_;
+    ShadowMap shadows_;
+    float lamps_share_ = 0.0F;         // of the light on the ground
     std::vector<std::int8_t> mottle_;  // tile of the carpet's brightness
     float mottle_scale_ = 0.0F;        // share of brightness for each of its levels
     Eigen::Matrix3f R_WC_ = Eigen::Matrix3f::Identity();

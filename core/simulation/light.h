@@ -47,10 +47,18 @@ class Light {
     }
     const Eigen::Vector3d& lamps() const { return lamps_; }
 
+    /// Whether things keep the lamps' light from the ground.
+    bool shadows() const { return shadows_; }
+    double lamp_size() const { return lamp_size_; }  // rad
+    /// Share of the light on the ground that comes from the lamps.
+    double lamps_share_on_ground() const;
+
   private:
     float ambient_;
     float directional_;
     float limb_darkening_;
+    bool shadows_;
+    double lamp_size_;
     Eigen::Vector3d lamps_;  // unit, towards them
 };
 

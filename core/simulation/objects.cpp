@@ -52,8 +52,8 @@ PixelBox box_of(std::span<const Vector3d> corners, const Intrinsics& camera) {
 
 class SeenPanel : public SeenObject {
   public:
-    SeenPanel(PixelBox box, double distance, const std::array<EdgePlane, 4>& edges, Rgb colour)
-        : SeenObject(box, distance),
+    SeenPanel(const PixelBox& box, const Vector3d& middle, const std::array<EdgePlane, 4>& edges, Rgb colour)
+        : SeenObject(box, {middle, middle, 0.0}),
           edges_(edges),
           colour_(colour),
           inside_(static_cast<std::size_t>(box.right + 1)) {}
@@ -88,9 +88,9 @@ class SeenPanel : public SeenObject {
 
 class SeenTube : public SeenObject {
   public:
-    SeenTube(PixelBox box, double distance, const CylinderSilhouette& outline, const Tube& tube,
+    SeenTube(const PixelBox& box, const SeenBody& body, const CylinderSilhouette& outline, const Tube& tube,
              const Light& light, const Intrinsics& camera, const Eigen::Isometry3d& T_WC)
-        : SeenObject(box, distance),
+        : SeenObject(box, body),
           light_(light),
           sides_{EdgePlane(outline.left_plane, camera), EdgePlane(outline.right_plane, camera)},
           colour_(tube.colour),
@@ -122,26 +122,39 @@ class SeenTube : public SeenObject {
             const float l = sides_[0].distance(x[u], y[u]);
             const float r = sides_[1].distance(x[u], y[u]);
             if (l <= -1.0F || r <= -1.0F) continue;
-            paint_side(
-                u, Vector3f(x[u], y[u], 1.0F),
-                l >= 1.0F && r >= 1.0F ? 1.0F : strip_coverage(sides_[0].coverage(l), sides_[1].coverage(r)),
-                out);
-            if (shown_end_ != 0) paint_end(u, Vector3f(x[u], y[u], 1.0F), out);
+            const Vector3f ray(x[u], y[u], 1.0F);
+            const float between =
+                l >= 1.0F && r >= 1.0F ? 1.0F : strip_coverage(sides_[0].coverage(l), sides_[1].coverage(r));
+            const Painted side = side_at(ray, between);
+            bool rim_before_end = false;
+            const Painted end = shown_end_ != 0 ? end_at(ray, rim_before_end) : Painted{};
+            // Side and end take different parts of a pixel: neither lies over the other, and where they meet
+            // they leave none of it.
+            float share = side.share + end.share;
+            if (share <= 0.0F) continue;
+            const float light = (side.share * side.light + end.share * end.light) / share;
+            if (rim_before_end && end.share > 0.0F) share = std::max(share, between);
+            out.blend(u, light * colour_, std::min(1.0F, share));
         }
     }
 
   private:
+    struct Painted {
+        float share = 0.0F;  // of the pixel
+        float light = 0.0F;  // factor of the colour
+    };
+
     /// Where the ray meets the side, in the plane across the axis: written with the ray's offset from the
     /// axis, which is linear in the ray, because the textbook discriminant loses a thin far post to
     /// cancellation in single precision.
-    void paint_side(int u, const Vector3f& d, float share, const LightRow& out) const {
-        if (share <= 0.0F) return;
+    Painted side_at(const Vector3f& d, float share) const {
+        if (share <= 0.0F) return {};
         const float along = d.dot(axis_);
         const float across = std::sqrt(std::max(1e-12F, d.dot(d) - along * along));
         const float offset = lateral_.dot(d) / across;  // m, ray to axis, signed
         const float ahead =
             ahead_.dot(d) / across;  // m, along the ray's shadow to the axis; < 0: behind the camera
-        if (ahead <= 0.0F) return;
+        if (ahead <= 0.0F) return {};
         const float sine = std::clamp(offset / radius_, -1.0F, 1.0F);
         const float cosine = std::sqrt(1.0F - sine * sine);
         const float way = ahead - radius_ * cosine;
@@ -156,26 +169,28 @@ class SeenTube : public SeenObject {
                 way * pixel_v_ * (axis_.y() - slope * (d.y() - along * axis_.y()) / across) / across;
             const EdgeCoverage end(gu, gv);
             share *= strip_coverage(end(height), end(length_ - height));
-            if (share <= 0.0F) return;
+            if (share <= 0.0F) return {};
         }
         // Unit vectors across the axis: along the ray's shadow, and square to it.
         const Vector3f shadow = (d - along * axis_) / across;
         const Vector3f square = axis_.cross(shadow);
         const Vector3f normal = -cosine * shadow - sine * square;
-        out.blend(u, light_.round(normal.dot(lamps_), cosine) * colour_, share);
+        return {share, light_.round(normal.dot(lamps_), cosine)};
     }
 
-    void paint_end(int u, const Vector3f& d, const LightRow& out) const {
+    /// `before`: the nearest point of its rim is on the camera's side of it.
+    Painted end_at(const Vector3f& d, bool& before) const {
         const float along = d.dot(axis_);
         const float t = end_.dot(axis_) / along;
-        if (!(t > 0.0F) || !std::isfinite(t)) return;
+        if (!(t > 0.0F) || !std::isfinite(t)) return {};
         const Vector3f from_centre = t * d - end_;
         const float distance = std::max(1e-9F, from_centre.norm());
         const Vector3f outwards = from_centre / distance;
         const float turn = outwards.dot(d) / along;
         const EdgeCoverage edge(t * pixel_u_ * (outwards.x() - turn * axis_.x()),
                                 t * pixel_v_ * (outwards.y() - turn * axis_.y()));
-        out.blend(u, end_light_ * colour_, edge(radius_ - distance));
+        before = outwards.dot(d) < 0.0F;
+        return {edge(radius_ - distance), end_light_};
     }
 
     const Light& light_;
@@ -190,9 +205,9 @@ class SeenTube : public SeenObject {
 
 class SeenBall : public SeenObject {
   public:
-    SeenBall(PixelBox box, const Vector3d& centre, const Ball& ball, const Light& light,
+    SeenBall(const PixelBox& box, const Vector3d& centre, const Ball& ball, const Light& light,
              const Intrinsics& camera, const Vector3d& lamps)
-        : SeenObject(box, centre.norm()),
+        : SeenObject(box, {centre, centre, ball.radius}),
           light_(light),
           colour_(ball.colour),
           towards_(centre.normalized().cast<float>()),
@@ -241,11 +256,15 @@ class SeenBall : public SeenObject {
 /// From a point (the origin) to a segment.
 double distance_to_segment(const Vector3d& a, const Vector3d& b) {
     const Vector3d run = b - a;
-    const double t = std::clamp(-a.dot(run) / run.squaredNorm(), 0.0, 1.0);
+    const double length = run.squaredNorm();
+    const double t = length > 0.0 ? std::clamp(-a.dot(run) / length, 0.0, 1.0) : 0.0;
     return (a + t * run).norm();
 }
 
 }  // namespace
+
+SeenObject::SeenObject(const PixelBox& box, const SeenBody& body)
+    : box_(box), body_(body), distance_(distance_to_segment(body.from, body.to)) {}
 
 SeenObject::Columns SeenObject::columns_inside(std::span<const EdgePlane> edges, const RowRays& rays) const {
     if (!rays.straight || box_.left == box_.right) return {box_.left, box_.right};
@@ -294,7 +313,7 @@ std::unique_ptr<SeenObject> see(const Panel& panel, const Light& light, const Ra
     };
     const Vector3d facing = (T_WC.linear() * normal).normalized() * (side > 0.0 ? 1.0 : -1.0);
     const Vector3d middle = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
-    return std::make_unique<SeenPanel>(box, middle.norm(),
+    return std::make_unique<SeenPanel>(box, middle,
                                        std::array<EdgePlane, 4>{edge(0), edge(1), edge(2), edge(3)},
                                        static_cast<float>(light.flat(facing)) * panel.colour);
 }
@@ -315,7 +334,7 @@ std::unique_ptr<SeenObject> see(const Tube& tube, const Light& light, const RayT
                                              top - one + other,  top - one - other};
     const PixelBox box = box_of(corners, rays.camera());
     if (box.empty()) return nullptr;
-    return std::make_unique<SeenTube>(box, distance_to_segment(base, top), *outline, tube, light,
+    return std::make_unique<SeenTube>(box, SeenBody{base, top, tube.cylinder.radius}, *outline, tube, light,
                                       rays.camera(), T_WC);
 }
 

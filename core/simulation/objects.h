@@ -28,15 +28,23 @@ struct EdgePlane {
     EdgeCoverage coverage;
 };
 
+/// All within `radius` of a segment, frame C [m].
+struct SeenBody {
+    Eigen::Vector3d from, to;
+    double radius;
+};
+
 /// A thing seen by one camera pose: knows its outline as edges through the camera centre, hence without any
 /// approximation of where a pixel's square is cut, and paints itself over what lies behind it row by row.
 class SeenObject {
   public:
-    SeenObject(PixelBox box, double distance) : box_(box), distance_(distance) {}
+    SeenObject(const PixelBox& box, const SeenBody& body);
     virtual ~SeenObject() = default;
 
     const PixelBox& box() const { return box_; }
-    /// Of its nearest part [m], for painting from far to near.
+    /// Holds all of it, a panel excepted.
+    const SeenBody& body() const { return body_; }
+    /// From the camera to the nearest point of the body's axis [m].
     double distance() const { return distance_; }
     virtual void paint(const RowRays& rays, const LightRow& out) = 0;
 
@@ -50,6 +58,7 @@ class SeenObject {
 
   private:
     PixelBox box_;
+    SeenBody body_;
     double distance_;
 };
 

@@ -23,16 +23,20 @@ void describe_parameters(Visitor& v, ProcessingParameters& p) {
       "the frame is sent as a JPEG of this quality; 0: raw");
 }
 
-/// Sharpens, then compresses and decompresses, in place; YUYV rows `stride` bytes apart.
+/// Sharpens, then compresses and decompresses. What lies beyond the rim is taken to be like it.
 class Processing {
   public:
     Processing(const ProcessingParameters& parameters, int width, int height);
+    /// In place; YUYV rows `stride` bytes apart. Throws std::runtime_error where the JPEG codec fails.
     void run(std::uint8_t* frame, std::ptrdiff_t stride);
 
   private:
+    void sharpen(std::uint8_t* frame, std::ptrdiff_t stride);
+    void compress(std::uint8_t* frame, std::ptrdiff_t stride);
+
     ProcessingParameters parameters_;
     int width_, height_;
-    std::vector<std::uint8_t> luma_;  // before sharpening
+    std::vector<std::uint8_t> luma_;  // three rows, before sharpening
 };
 
 }  // namespace goalmouth

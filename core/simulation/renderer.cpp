@@ -1,51 +1,116 @@
 #include "core/simulation/renderer.h"
 
+#include "core/simulation/image_motion.h"
+#include "core/simulation/vectorised.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace goalmouth {
+namespace {
 
-Renderer::Renderer(Scene scene, const Intrinsics& camera, const LightParameters& light,
-                   const SensorParameters& sensor)
-    : scene_(std::move(scene)),
-      light_(light),
-      rays_(camera),
-      ground_(scene_, light_, camera),
-      sensor_(sensor, camera.width, camera.height) {}
-
-void Renderer::move_ball(const Eigen::Vector2d& position) {
-    scene_.ball.centre = {position.x(), position.y(), scene_.ball.radius};
+GOALMOUTH_VECTORISED void add(const LightRow& from, const LightRow& to) {
+    for (int u = 0; u < to.width; ++u) to.r[u] += from.r[u];
+    for (int u = 0; u < to.width; ++u) to.g[u] += from.g[u];
+    for (int u = 0; u < to.width; ++u) to.b[u] += from.b[u];
 }
 
-void Renderer::render(const Eigen::Isometry3d& T_WC, Random& random, std::uint8_t* out,
-                      std::ptrdiff_t stride) {
-    seen_.clear();
-    const auto add = [&](const auto& thing) {
-        if (auto seen = see(thing, light_, rays_, T_WC)) seen_.push_back(std::move(seen));
-    };
-    for (const Panel& panel : scene_.panels) add(panel);
-    const auto panels = static_cast<std::ptrdiff_t>(seen_.size());
-    for (const Tube& tube : scene_.tubes) add(tube);
-    add(scene_.ball);
-    std::stable_sort(seen_.begin() + panels, seen_.end(),
-                     [](const auto& a, const auto& b) { return a->distance() > b->distance(); });
+void scale(const LightRow& row, float factor) {
+    for (int u = 0; u < row.width; ++u) row.r[u] *= factor;
+    for (int u = 0; u < row.width; ++u) row.g[u] *= factor;
+    for (int u = 0; u < row.width; ++u) row.b[u] *= factor;
+}
 
+}  // namespace
+
+Renderer::Renderer(Scene scene, const Intrinsics& camera, const ImageFormationParameters& formation)
+    : scene_(std::move(scene)),
+      light_(formation.light),
+      shutter_(formation.shutter),
+      blur_(formation.sensor.blur),
+      rays_(camera),
+      limits_(rays_),
+      ground_(scene_, light_, camera),
+      sensor_(formation.sensor, rays_),
+      processing_(formation.processing, camera.width, camera.height) {}
+
+void Renderer::change_scene(Scene scene) {
+    scene_ = std::move(scene);
+    ground_.change_scene(scene_, light_);
+}
+
+void Renderer::render(const Shot& shot, Random& random, std::uint8_t* out, std::ptrdiff_t stride) {
+    sensor_.begin(out, stride, shot.gains, random);
+    if (shot.camera.still() || (shutter_.exposure == 0.0 && shutter_.readout == 0.0))
+        paint_still(shot.camera.T_WC);
+    else
+        paint_moving(shot.camera);
+    processing_.run(out, stride);
+}
+
+void Renderer::paint_still(const Eigen::Isometry3d& T_WC) {
+    views_.resize(1);
+    views_[0].look(all_things(scene_), light_, rays_, T_WC);
     ground_.look(T_WC);
-    sensor_.begin(out, stride, random);
     for (int row = 0; row < camera().height; ++row) {
         const LightRow light = sensor_.next_row();
         const RowRays rays = rays_.row(row);
         ground_.paint(rays, light);
-        for (const auto& object : seen_)
-            if (row >= object->box().top && row <= object->box().bottom) object->paint(rays, light);
+        views_[0].paint(row, rays, light);
         sensor_.finish_row();
     }
-    seen_.clear();
+    views_.clear();
 }
 
-YuyvImage Renderer::render(const Eigen::Isometry3d& T_WC, Random& random) {
+void Renderer::paint_moving(const CameraMotion& motion) {
+    const int height = camera().height;
+    const Things things =
+        things_in_view(scene_, limits_, motion, 0.5 * (shutter_.readout + shutter_.exposure));
+    const ShutterSampling sampling = shutter_sampling(
+        shutter_, height,
+        image_speed(camera(), motion, distance_to_nearest(things, motion.T_WC.translation())), blur_);
+    const int samples = sampling.samples;
+    const auto instant = [&](double row, int sample) {
+        return row_time(shutter_, row, height) + ((sample + 0.5) / samples - 0.5) * shutter_.exposure;
+    };
+    views_.resize(static_cast<std::size_t>(samples));
+    for (int first = 0; first < height; first += sampling.band_rows) {
+        const int last = std::min(first + sampling.band_rows, height) - 1;
+        const double middle = 0.5 * (first + last);
+        for (int k = 0; k < samples; ++k)
+            views_[static_cast<std::size_t>(k)].look(things, light_, rays_, motion.at(instant(middle, k)));
+        const bool as_set_up = first == last || shutter_.readout == 0.0;
+        for (int row = first; row <= last; ++row) {
+            const LightRow sum = sensor_.next_row();
+            const RowRays rays = rays_.row(row);
+            for (int k = 0; k < samples; ++k) {
+                View& view = views_[static_cast<std::size_t>(k)];
+                const LightRow light = k == 0 ? sum : sample_row();
+                const Eigen::Isometry3d T_WC = as_set_up ? view.T_WC() : motion.at(instant(row, k));
+                ground_.look(T_WC);
+                ground_.paint(rays, light);
+                if (as_set_up)
+                    view.paint(row, rays, light);
+                else
+                    view.paint(row, rays, T_WC, light);
+                if (k > 0) add(light, sum);
+            }
+            if (samples > 1) scale(sum, 1.0F / static_cast<float>(samples));
+            sensor_.finish_row();
+        }
+    }
+    views_.clear();
+}
+
+LightRow Renderer::sample_row() {
+    const auto width = static_cast<std::size_t>(camera().width);
+    sample_.resize(3 * width);
+    return {sample_.data(), sample_.data() + width, sample_.data() + 2 * width, camera().width};
+}
+
+YuyvImage Renderer::render(const Shot& shot, Random& random) {
     YuyvImage image(camera().width, camera().height);
-    render(T_WC, random, image.data.data(), image.stride());
+    render(shot, random, image.data.data(), image.stride());
     return image;
 }
 

@@ -7,6 +7,7 @@
 #include "core/simulation/colour.h"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -72,8 +73,13 @@ void describe_parameters(Visitor& v, SceneParameters& p) {
 
 /// A cylinder of one colour.
 struct Tube {
+    /// What it belongs to.
+    enum class Of { goal, robot, hall };
+
     Cylinder cylinder;
     Rgb colour;
+    Of of = Of::goal;
+    int post = -1;  // which of Scene::posts it is, if one
 };
 
 /// A flat rectangle of one colour, corners in order around it; seen from both sides.
@@ -88,7 +94,8 @@ struct Ball {
     Rgb colour;
 };
 
-/// Everything a ray may hit, in frame W [m]. Later panels lie before earlier ones (a poster before its wall).
+/// Everything a ray may hit, in frame W [m]. Later panels lie before earlier ones (a poster before its wall),
+/// all of them behind every tube.
 struct Scene {
     Field field;
     FieldLayout layout;
@@ -98,17 +105,24 @@ struct Scene {
     Rgb ceiling;
     double mottle = 0.0;
     std::vector<Panel> panels;
-    std::vector<Tube> tubes;        // the goals, then people
-    std::array<Cylinder, 4> posts;  // the same as in tubes, numbered as Field::posts()
+    std::vector<Tube> tubes;        // the goals, then people and other things, then robots
+    std::array<Cylinder, 4> posts;  // numbered as Field::posts(), also those that do not stand
+    bool own_goal = true;           // stands, as the opponents' always does
     Ball ball;
+
+    /// Whether a post stands: then it is in tubes.
+    bool stands(std::size_t post) const { return own_goal || post >= 2; }
 };
 
+/// Cylinder about the segment from…to [m].
+Cylinder cylinder_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius);
 /// The four posts: upright, from the ground to the upper edge of the crossbar.
 std::array<Cylinder, 4> goalposts(const Field& field);
 /// The crossbars of the own and the opponents' goal, from post axis to post axis.
 std::array<Cylinder, 2> crossbars(const Field& field);
 
-/// Throws std::invalid_argument where a colour is not three levels.
+/// The same parameters give the same scene. As many robots as find room. Throws std::invalid_argument where a
+/// colour is not three levels.
 Scene make_scene(const Field& field, const SceneParameters& parameters);
 
 }  // namespace goalmouth

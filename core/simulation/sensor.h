@@ -4,9 +4,9 @@
 #include "core/random/random.h"
 #include "core/simulation/ray_table.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace goalmouth {
@@ -32,39 +32,47 @@ void describe_parameters(Visitor& v, SensorParameters& p) {
       "stands for");
 }
 
-/// Takes the light of a frame row by row, blurs it, adds noise and writes YUYV (4:2:2, BT.601, full range;
-/// the chroma of a pair is the mean of its two pixels'). Rows come out as soon as the rows below that reach
-/// into them are known.
+/// Takes the light of a frame row by row and turns it into YUYV, in the order a camera does: optical blur,
+/// vignetting, gains, noise, clipping to 0…255, then BT.601 (full range), the mean chroma of each pair of
+/// pixels, rounding. A level of light L gets noise of variance read_noise² + photon_noise · L in each channel
+/// on its own. What lies beyond the rim is taken to be like it. Rows come out as soon as the rows below that
+/// reach into them are known.
 class Sensor {
   public:
-    Sensor(const SensorParameters& parameters, int width, int height);
+    /// `rays` says at which angle to the axis each pixel looks.
+    Sensor(const SensorParameters& parameters, const RayTable& rays);
 
-    /// A new frame goes to `out`, rows `stride` bytes apart. The noise is a function of `random` alone.
-    void begin(std::uint8_t* out, std::ptrdiff_t stride, Random& random);
+    /// A new frame goes to `out`, rows `stride` bytes apart; `gains` take the light painted to levels. The
+    /// noise is a function of `random` alone.
+    void begin(std::uint8_t* out, std::ptrdiff_t stride, const Rgb& gains, Random& random);
     /// Where to paint the next row.
     LightRow next_row();
     /// The row is painted. After the last one the whole frame stands in `out`.
     void finish_row();
 
   private:
+    static constexpr std::size_t channels = 3;
+
     void blur_along(int slot);
-    void write_row(int row);
+    void blur_across(int row);
+    void expose(int row);
+    void write(int row);
 
     int width_;
     int height_;
-    int pairs_;
-    int reach_;                         // px the blur reaches
-    std::vector<float> kernel_;         // 2·reach + 1 weights
-    std::vector<float> chroma_kernel_;  // 2·reach + 2 weights: the blur after the mean of a pair
-    float noise_;
-    std::vector<float> r_, g_, b_;
-    std::vector<float> luma_, cb_even_, cb_odd_, cr_even_,
-        cr_odd_;                                        // one row, with `reach` more on either side
-    std::vector<float> rows_;                           // ring of blurred rows: luma, then Cb, then Cr
-    std::vector<float> sum_;                            // one row like those, blurred both ways
-    std::vector<std::int32_t> levels_, words_;          // that row as numbers of 0…255, and as pairs
-    std::vector<std::uint32_t> noise_offset_;           // where each row's noise starts in the table
-    std::vector<float> noise_y_, noise_cb_, noise_cr_;  // table for σ = 1
+    std::size_t columns_;        // of whole pairs
+    int reach_;                  // px the blur reaches
+    std::vector<float> kernel_;  // 2·reach + 1 weights, symmetric
+    float read_variance_, photon_variance_;
+    std::vector<float> vignetting_;                   // factor for each pixel; empty: none
+    std::array<std::vector<float>, channels> light_;  // the row being painted, `reach` more on either side
+    std::vector<float> rows_;                 // ring of rows blurred along: red, then green, then blue
+    std::vector<const float*> sources_;       // rows or shifts of one that a blur sums
+    std::vector<float> levels_;               // one row like those, on its way to bytes
+    std::vector<std::int32_t> luma_, words_;  // that row as bytes of luma, and as pairs
+    std::array<std::vector<float>, channels> noise_;  // tables for σ = 1
+    std::vector<std::uint32_t> noise_offset_;         // where each row's noise starts in them
+    std::array<float, channels> gains_{};
     std::uint8_t* out_ = nullptr;
     std::ptrdiff_t stride_ = 0;
     int next_ = 0;

@@ -19,4 +19,9 @@ void describe_parameters(Visitor& v, ShutterParameters& p) {
       "from the first row to the last: rolling shutter; 0: all rows at once");
 }
 
+/// When a row is read [s], counted from the frame's time; also between rows.
+inline double row_time(const ShutterParameters& shutter, double row, int height) {
+    return height > 1 ? (row / (height - 1) - 0.5) * shutter.readout : 0.0;
+}
+
 }  // namespace goalmouth

@@ -15,9 +15,10 @@ Random part(const Random& run, int number) {
 
 Simulation::Simulation(const SimulationParameters& parameters, const Field& field, const Intrinsics& camera,
                        const Random& run)
-    : renderer_(make_scene(field, parameters.scene), camera, parameters.light, parameters.sensor),
+    : renderer_(make_scene(field, parameters.formation.hall), camera, parameters.formation),
       walker_(parameters.walk, field, paper_route(field), part(run, 0)),
-      kinematics_(parameters.kinematics, part(run, 1)) {}
+      kinematics_(parameters.kinematics, part(run, 1)),
+      exposure_(parameters.formation.exposure, parameters.formation.light.temperature, part(run, 2)) {}
 
 SimulatedFrame Simulation::capture(double time, Random& frame, std::uint8_t* out, std::ptrdiff_t stride) {
     walker_.advance(time);
@@ -29,7 +30,7 @@ SimulatedFrame Simulation::capture(double time, Random& frame, std::uint8_t* out
     result.odometry = walker_.odometry();
     result.T_BC = kinematics_.measure(walker_.T_BC(), frame);
     result.T_BC_covariance = kinematics_.covariance();
-    renderer_.render(result.truth.T_WC, frame, out, stride);
+    renderer_.render({walker_.motion(), exposure_.gains(time)}, frame, out, stride);
     return result;
 }
 

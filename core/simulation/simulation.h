@@ -2,12 +2,11 @@
 
 #include "core/field/field.h"
 #include "core/geometry/camera.h"
-#include "core/parameters/parameters.h"
 #include "core/random/random.h"
-#include "core/simulation/light.h"
+#include "core/simulation/exposure.h"
+#include "core/simulation/image_formation.h"
 #include "core/simulation/renderer.h"
 #include "core/simulation/scene.h"
-#include "core/simulation/sensor.h"
 #include "core/simulation/truth.h"
 #include "core/simulation/walker.h"
 
@@ -20,21 +19,10 @@
 namespace goalmouth {
 
 struct SimulationParameters {
-    SceneParameters scene;
-    LightParameters light;
-    SensorParameters sensor;
+    ImageFormationParameters formation;
     WalkParameters walk;
     KinematicsParameters kinematics;
 };
-
-template <class Visitor>
-void describe_parameters(Visitor& v, SimulationParameters& p) {
-    v.group("scene", p.scene, "what stands in the hall");
-    v.group("light", p.light, "how it is lit");
-    v.group("sensor", p.sensor, "how the camera turns light into bytes");
-    v.group("walk", p.walk, "how the robot walks");
-    v.group("kinematics", p.kinematics, "how badly the robot knows where its camera is");
-}
 
 /// All that goes with one frame but its pixels.
 struct SimulatedFrame {
@@ -63,6 +51,7 @@ class Simulation {
     Renderer renderer_;
     Walker walker_;
     KinematicsModel kinematics_;
+    Exposure exposure_;
 };
 
 }  // namespace goalmouth

@@ -1,5 +1,6 @@
 #include "core/simulation/truth.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace goalmouth {
@@ -8,14 +9,87 @@ namespace {
 constexpr int samples_across = 7;
 constexpr int samples_along = 48;
 
-/// The silhouette's share that a camera sees: sampled evenly across the angle between the tangent planes and
-/// along the axis.
-double visible_share(const Scene& scene, const Intrinsics& camera, const Eigen::Isometry3d& T_WC,
-                     const CylinderSilhouette& outline, std::size_t id) {
+/// A tube that may hide a post from one place: hit() with all that does not depend on the ray worked out.
+class Occluder {
+  public:
+    Occluder(const Cylinder& cylinder, const Eigen::Vector3d& eye)
+        : axis_(cylinder.axis),
+          from_base_(eye - cylinder.base),
+          along_(from_base_.dot(axis_)),
+          length_(cylinder.length) {
+        const Eigen::Vector3d across = from_base_ - along_ * axis_;
+        from_base_ = across;
+        clearance_ = across.squaredNorm() - cylinder.radius * cylinder.radius;
+    }
+
+    /// Whether the ray eye + t·direction meets the side at 0 < t < limit.
+    bool hides(const Eigen::Vector3d& direction, double limit) const {
+        const double run = direction.dot(axis_);
+        const double a = direction.squaredNorm() - run * run;
+        const double b = direction.dot(from_base_);
+        const double discriminant = b * b - a * clearance_;
+        if (discriminant < 0.0 || a <= 0.0) return false;
+        const double root = std::sqrt(discriminant);
+        // Where the near side is beyond an end, the far one may not be: the ray enters through the end.
+        for (const double t : {(-b - root) / a, (-b + root) / a}) {
+            const double height = along_ + t * run;
+            if (t > 0.0 && t < limit && height >= 0.0 && height <= length_) return true;
+        }
+        return false;
+    }
+
+  private:
+    Eigen::Vector3d axis_;
+    Eigen::Vector3d from_base_;  // eye from the axis, square to it
+    double along_;               // m, eye along the axis from the base
+    double length_;
+    double clearance_;
+};
+
+/// What may hide a post from the camera.
+struct Occluders {
+    std::vector<Occluder> joined;  // end in a post: what is within the post does not count
+    std::vector<Occluder> others;
+    bool ball = false;
+};
+
+Occluders occluders_of(const Scene& scene, const Eigen::Isometry3d& T_WC, const CylinderSilhouette& outline,
+                       std::size_t id) {
+    const Eigen::Vector3d eye = T_WC.translation();
+    const Cylinder& post = scene.posts[id];
+    // Only what reaches between the two tangent planes and is not all behind the post.
+    const Eigen::Vector3d left = T_WC.linear() * outline.left_plane;
+    const Eigen::Vector3d right = T_WC.linear() * outline.right_plane;
+    const double farthest = std::max((post.base - eye).norm(), (post.top() - eye).norm()) + post.radius;
+    const auto may_hide = [&](const Eigen::Vector3d& centre, double radius) {
+        const Eigen::Vector3d to = centre - eye;
+        return left.dot(to) > -radius && right.dot(to) > -radius && to.norm() - radius < farthest;
+    };
+    Occluders result;
+    for (const Tube& tube : scene.tubes) {
+        if (tube.post == static_cast<int>(id)) continue;
+        const Cylinder& c = tube.cylinder;
+        if (!may_hide(c.base + 0.5 * c.length * c.axis, std::hypot(0.5 * c.length, c.radius))) continue;
+        const bool joined = tube.of == Tube::Of::goal && tube.post < 0;
+        (joined ? result.joined : result.others).emplace_back(c, eye);
+    }
+    result.ball = may_hide(scene.ball.centre, scene.ball.radius);
+    return result;
+}
+
+struct Shares {
+    double inside = 0.0;
+    double visible = 0.0;
+};
+
+/// Shares of the silhouette: sampled evenly across the angle between the tangent planes and along the axis.
+Shares shares_of(const Scene& scene, const Intrinsics& camera, const Eigen::Isometry3d& T_WC,
+                 const CylinderSilhouette& outline, std::size_t id) {
     const Eigen::Isometry3d T_CW = T_WC.inverse();
     const Eigen::Vector3d eye = T_WC.translation();
     const Cylinder& post = scene.posts[id];
-    const auto bars = crossbars(scene.field);
+    const Occluders occluders = occluders_of(scene, T_WC, outline, id);
+    int inside = 0;
     int seen = 0;
     for (int i = 0; i < samples_across; ++i)
         for (int k = 0; k < samples_along; ++k) {
@@ -30,19 +104,22 @@ double visible_share(const Scene& scene, const Intrinsics& camera, const Eigen::
             if (!pixel || pixel->x() < -0.5 || pixel->y() < -0.5 || pixel->x() > camera.width - 0.5 ||
                 pixel->y() > camera.height - 0.5)
                 continue;
+            ++inside;
             const Eigen::Vector3d ray = point - eye;
-            const double reach = 1.0 - 2.0 * post.radius / ray.norm();  // the post's own bar ends in it
-            const auto hides = [&](const auto& thing) {
-                const auto t = hit(thing, eye, ray);
-                return t && *t < reach;
+            const double post_side = 1.0 - 2.0 * post.radius / ray.norm();
+            const auto any = [&](const std::vector<Occluder>& things, double limit) {
+                return std::any_of(things.begin(), things.end(),
+                                   [&](const Occluder& o) { return o.hides(ray, limit); });
             };
-            bool hidden = hides(scene.ball);
-            for (std::size_t other = 0; other < scene.posts.size() && !hidden; ++other)
-                hidden = other != id && hides(scene.posts[other]);
-            for (const Cylinder& bar : bars) hidden = hidden || hides(bar);
+            bool hidden = any(occluders.others, 1.0) || any(occluders.joined, post_side);
+            if (!hidden && occluders.ball) {
+                const auto t = hit(scene.ball, eye, ray);
+                hidden = t && *t < 1.0;
+            }
             if (!hidden) ++seen;
         }
-    return static_cast<double>(seen) / (samples_across * samples_along);
+    constexpr double all = samples_across * samples_along;
+    return {inside / all, seen / all};
 }
 
 }  // namespace
@@ -77,6 +154,7 @@ std::vector<TruePost> true_posts(const Scene& scene, const Intrinsics& camera,
                                  const Eigen::Isometry3d& T_WC) {
     std::vector<TruePost> result;
     for (std::size_t i = 0; i < scene.posts.size(); ++i) {
+        if (!scene.stands(i)) continue;
         const auto outline = silhouette(scene.posts[i], T_WC);
         const auto edges = project_edges(camera, T_WC, scene.posts[i]);
         if (!outline || !edges) continue;
@@ -88,7 +166,9 @@ std::vector<TruePost> true_posts(const Scene& scene, const Intrinsics& camera,
         const double middle =
             0.25 * (edges->left_base + edges->left_top + edges->right_base + edges->right_top).x();
         post.bearing_rad = -std::atan((middle - camera.cx) / camera.fx);
-        post.visible = visible_share(scene, camera, T_WC, *outline, i);
+        const Shares shares = shares_of(scene, camera, T_WC, *outline, i);
+        post.inside = shares.inside;
+        post.visible = shares.visible;
         result.push_back(post);
     }
     return result;

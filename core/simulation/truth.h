@@ -32,9 +32,9 @@ struct Truth {
     std::vector<TruePost> posts;                     // every post in front of the camera
 };
 
-/// Posts of which a part is in front of the camera, the camera not inside one of them. Hidden means hidden by
-/// the ball, another post or a crossbar; sampled on a grid across the silhouette, so `visible` is good to
-/// about a hundredth.
+/// Posts that stand and of which a part is in front of the camera, the camera not inside one of them. Hidden
+/// means hidden by the ball or any tube: another post, a bar, a strut, a robot, a person; sampled on a grid
+/// across the silhouette, so `inside` and `visible` are good to about a hundredth.
 std::vector<TruePost> true_posts(const Scene& scene, const Intrinsics& camera, const Eigen::Isometry3d& T_WC);
 
 /// Distance along the ray from…from + t·direction (any length, t > 0) to a cylinder's side, as t; nothing

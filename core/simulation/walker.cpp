@@ -108,18 +108,18 @@ Pose2 Walker::odometry() const {
     return compose(odometry_.pose(), difference(last, pose()));
 }
 
-Eigen::Isometry3d Walker::T_BC() const {
+Eigen::Isometry3d Walker::T_BC_at(double time) const {
     const GaitParameters& gait = parameters_.gait;
-    const double ramp = gait.speed > 0.0 ? std::min(1.0, time_ * gait.acceleration / gait.speed) : 0.0;
-    const double phase = turn * gait.frequency * time_;
+    const double ramp = gait.speed > 0.0 ? std::min(1.0, time * gait.acceleration / gait.speed) : 0.0;
+    const double phase = turn * gait.frequency * time;
     // No two cycles are alike: the sway itself swells and fades slowly.
-    const double swell = ramp * (0.8 + 0.2 * std::sin(0.61 * time_));
+    const double swell = ramp * (0.8 + 0.2 * std::sin(0.61 * time));
     const double roll = swell * gait.roll * std::sin(phase);
     const double pitch = ramp * gait.pitch * std::sin(2.0 * phase + 0.7);
     const double sway = -swell * gait.sway * std::sin(phase);
     const double bob = ramp * gait.bob * std::cos(2.0 * phase);
 
-    const double since_tick = time_ - static_cast<double>(tick_) * tick_seconds;
+    const double since_tick = time - static_cast<double>(tick_) * tick_seconds;
     Eigen::Isometry3d head = camera_in_body(gait.camera_height, 0.0, tilt_ + tilt_rate_ * since_tick,
                                             pan_ + pan_rate_ * since_tick);
     head.translation().x() = gait.camera_forward;
@@ -131,8 +131,24 @@ Eigen::Isometry3d Walker::T_BC() const {
     return body * head;
 }
 
-Eigen::Isometry3d Walker::T_WC() const {
-    return on_ground(pose()) * T_BC();
+Eigen::Isometry3d Walker::T_WC_at(double time) const {
+    return on_ground(pose_at(time)) * T_BC_at(time);
+}
+
+CameraMotion Walker::motion() const {
+    // Central differences: of steps so small that the gait's third derivative does not show.
+    constexpr double step = 1e-4;  // s
+    const double from = std::max(0.0, time_ - step);
+    const double to = time_ + step;
+    const Eigen::Isometry3d before = T_WC_at(from);
+    const Eigen::Isometry3d after = T_WC_at(to);
+    CameraMotion motion;
+    motion.T_WC = T_WC();
+    if (before.matrix() == after.matrix()) return motion;
+    motion.velocity = (after.translation() - before.translation()) / (to - from);
+    const Eigen::AngleAxisd turned(Eigen::Matrix3d(before.linear().transpose() * after.linear()));
+    motion.turn_rate = turned.angle() / (to - from) * turned.axis();
+    return motion;
 }
 
 KinematicsModel::KinematicsModel(const KinematicsParameters& parameters, Random run)

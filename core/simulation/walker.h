@@ -4,6 +4,7 @@
 #include "core/geometry/pose2.h"
 #include "core/parameters/parameters.h"
 #include "core/random/random.h"
+#include "core/simulation/camera_motion.h"
 #include "core/simulation/odometry_model.h"
 #include "core/simulation/route.h"
 
@@ -89,14 +90,18 @@ class Walker {
     double time() const { return time_; }
     /// Body frame B in W: on the ground under the torso, x along the heading.
     Pose2 pose() const { return pose_at(time_); }
-    Eigen::Isometry3d T_BC() const;
-    Eigen::Isometry3d T_WC() const;
+    Eigen::Isometry3d T_BC() const { return T_BC_at(time_); }
+    Eigen::Isometry3d T_WC() const { return T_WC_at(time_); }
+    /// Velocity and turn rate of the camera now, as the head's joints move since their last tick.
+    CameraMotion motion() const;
     /// As the robot counted it, in a frame that starts at its first pose.
     Pose2 odometry() const;
 
   private:
     double distance_at(double time) const;
     Pose2 pose_at(double time) const { return route_.at(distance_at(time)); }
+    Eigen::Isometry3d T_BC_at(double time) const;  // the head's joints as they move since the last tick
+    Eigen::Isometry3d T_WC_at(double time) const;
     std::int64_t footstep_at(double time) const;
     double look_at_goal(const Pose2& pose, double time);
 

@@ -17,7 +17,8 @@ constexpr std::int64_t whole_run = -1;  // in place of a frame's number: what is
 
 Simulation make_simulation(const SimulatorParameters& p, const ModuleContext& context) {
     try {
-        return Simulation(p.simulation, load_parameters_or_defaults<Field>(p.field),
+        const auto formation = load_parameters_or_defaults<ImageFormationParameters>(p.scene);
+        return Simulation({formation, p.walk, p.kinematics}, load_parameters_or_defaults<Field>(p.field),
                           load_parameters_or_defaults<Intrinsics>(p.camera), context.random(whole_run));
     } catch (const std::invalid_argument& error) {
         throw ConfigurationError(error.what());
@@ -73,7 +74,7 @@ void SimulatorModule::send() {
     Bus& bus = context_.bus;
     publish(bus, context_.channel(channels::kinematics), kinematics_message(frame_, info.utime, seq_));
     publish(bus, context_.channel(channels::odometry),
-            odometry_message(frame_, parameters_.simulation.walk.odometry, info.utime, seq_));
+            odometry_message(frame_, parameters_.walk.odometry, info.utime, seq_));
     publish(bus, context_.channel(channels::truth), to_message(frame_.truth, info.utime, seq_));
     output_.publish_yuyv(info, yuyv_row_bytes(simulation_.camera().width));
     context_.status.output(info.utime);

@@ -17,19 +17,23 @@ namespace goalmouth {
 struct SimulatorParameters {
     std::string camera;
     std::string field;
+    std::string scene;
     std::string camera_name = "simulator";
     double frames_per_second = 30.0;
     bool realtime = true;
     double start_time = 0.0;
     int frames = 0;
     double linger = 1.0;
-    SimulationParameters simulation;
+    WalkParameters walk;
+    KinematicsParameters kinematics;
 };
 
 template <class Visitor>
 void describe_parameters(Visitor& v, SimulatorParameters& p) {
     v("camera", p.camera, File{.may_be_empty = true}, "calibration; empty: a Logitech C905 at 640x480");
     v("field", p.field, File{.may_be_empty = true}, "field and goals; empty: KidSize 2013");
+    v("scene", p.scene, File{.may_be_empty = true},
+      "what stands in the hall, how it is lit and what the camera makes of it; empty: defaults");
     v("camera_name", p.camera_name, Text{}, "name of the camera in messages");
     v("frames_per_second", p.frames_per_second, Range{0.1, 1000}, "1/s", "rate of the frames");
     v("realtime", p.realtime,
@@ -39,7 +43,8 @@ void describe_parameters(Visitor& v, SimulatorParameters& p) {
     v("frames", p.frames, Range{0, 2e9}, "1", "frames to send before it ends; 0: without end");
     v("linger", p.linger, Range{0, 60}, "s",
       "how long the pixels of the last frame stay readable after that");
-    describe_parameters(v, p.simulation);
+    v.group("walk", p.walk, "how the robot walks");
+    v.group("kinematics", p.kinematics, "how badly the robot knows where its camera is");
 }
 
 /// A robot that walks on a field and publishes what it sees, counts and measures, and the truth beside it.

@@ -1,7 +1,9 @@
+#include "core/evaluation/evaluation_scene.h"
 #include "core/field/field.h"
 #include "core/geometry/camera.h"
 #include "core/process/configuration.h"
 #include "core/process/graph.h"
+#include "core/simulation/image_formation.h"
 #include "tools/goalmouth/registry.h"
 
 #include <filesystem>
@@ -36,17 +38,40 @@ std::vector<std::filesystem::path> yaml_files(const std::filesystem::path& folde
     return files;
 }
 
+void expect_every_parameter(const std::filesystem::path& file, const std::vector<ParameterInfo>& parameters) {
+    std::map<std::string, YAML::Node> keys;
+    collect_keys(YAML::LoadFile(file.string()), "", keys);
+    for (const auto& parameter : parameters) {
+        EXPECT_TRUE(keys.contains(parameter.key)) << file << " lacks " << parameter.key;
+        keys.erase(parameter.key);
+    }
+    for (const auto& [key, value] : keys) ADD_FAILURE() << file << " has an unknown key " << key;
+}
+
 TEST(ShippedConfig, HasAFileForEveryModuleThatListsEveryParameter) {
     for (const ModuleType& type : module_types()) {
         const auto file = config / "modules" / (type.info.executable + ".yaml");
         ASSERT_TRUE(std::filesystem::exists(file)) << file;
-        std::map<std::string, YAML::Node> keys;
-        collect_keys(YAML::LoadFile(file.string()), "", keys);
-        for (const auto& parameter : type.parameters) {
-            EXPECT_TRUE(keys.contains(parameter.key)) << file << " lacks " << parameter.key;
-            keys.erase(parameter.key);
-        }
-        for (const auto& [key, value] : keys) ADD_FAILURE() << file << " has an unknown key " << key;
+        expect_every_parameter(file, type.parameters);
+    }
+}
+
+TEST(ShippedConfig, ScenesLoadAndListEveryParameter) {
+    const auto files = yaml_files(config / "scenes");
+    EXPECT_GE(files.size(), 5U);
+    for (const auto& file : files) {
+        EXPECT_NO_THROW(load_parameters<ImageFormationParameters>(file)) << file;
+        expect_every_parameter(file, list_parameters<ImageFormationParameters>());
+    }
+}
+
+TEST(ShippedConfig, EvaluationScenesLoadAndListEveryParameter) {
+    const auto files = yaml_files(config / "evaluation");
+    EXPECT_GE(files.size(), 4U);
+    for (const auto& file : files) {
+        const auto parameters = load_parameters<EvaluationSceneParameters>(file);
+        EXPECT_TRUE(std::filesystem::exists(parameters.scene)) << file << ": " << parameters.scene;
+        expect_every_parameter(file, list_parameters<EvaluationSceneParameters>());
     }
 }
 

@@ -36,11 +36,25 @@ inline SensorParameters ideal_sensor() {
     return {.blur = 0.0, .read_noise = 0.0};
 }
 
+inline ImageFormationParameters plain_formation() {
+    ImageFormationParameters p;
+    p.light = plain_light();
+    p.sensor = ideal_sensor();
+    return p;
+}
+
+/// A shot of a camera that does not move.
+inline Shot still(const Eigen::Isometry3d& T_WC) {
+    Shot shot;
+    shot.camera.T_WC = T_WC;
+    return shot;
+}
+
 inline YuyvImage render_plain(const Field& field, const SceneParameters& scene, const Intrinsics& camera,
                               const Eigen::Isometry3d& T_WC) {
-    Renderer renderer(make_scene(field, scene), camera, plain_light(), ideal_sensor());
+    Renderer renderer(make_scene(field, scene), camera, plain_formation());
     Random random(1);
-    return renderer.render(T_WC, random);
+    return renderer.render(still(T_WC), random);
 }
 
 /// Camera at x, y on the field, heading theta.

@@ -16,6 +16,7 @@ using test::covered_in_column;
 using test::covered_in_row;
 using test::plain_scene;
 using test::render_plain;
+using test::still;
 using test::x_at;
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -24,14 +25,19 @@ constexpr double goal = 230.0;
 
 /// Compares both edges of the opponents' left post with its tangent planes, in rows where the wall is behind
 /// it.
-void expect_edges(const Intrinsics& camera, double distance, double roll, double tolerance) {
+void expect_edges(const Intrinsics& camera, double distance, double roll, double tolerance,
+                  double blur = 0.0) {
     const Field field;
     // A little off the pixel raster, the post left of the middle, the other one out of the way or far to the
     // right.
     const Eigen::Isometry3d T_WC = camera_at(3.0 - distance, 0.75 - 0.03, 0.013, 0.42, roll, -2 * degree);
     SceneParameters scene = plain_scene();
     scene.room_margin = 0.3;
-    const YuyvImage image = render_plain(field, scene, camera, T_WC);
+    ImageFormationParameters formation = test::plain_formation();
+    formation.sensor.blur = blur;
+    Renderer renderer(make_scene(field, scene), camera, formation);
+    Random random(1);
+    const YuyvImage image = renderer.render(still(T_WC), random);
     const auto posts = true_posts(make_scene(field, scene), camera, T_WC);
     const auto found = std::find_if(posts.begin(), posts.end(), [](const TruePost& p) { return p.id == 2; });
     ASSERT_NE(found, posts.end());
@@ -75,6 +81,12 @@ TEST(Renderer, PostEdgesLieOnTheTangentPlanes) {
     for (const double distance : {0.6, 1.5, 3.0, 6.0})
         for (const double roll : {0.0, 10 * degree, 20 * degree})
             expect_edges(Intrinsics{}, distance, roll, 0.02);
+}
+
+TEST(Renderer, BlurLeavesPostEdgesWhereTheyAre) {
+    for (const double distance : {0.6, 1.5, 3.0, 6.0})
+        for (const double roll : {0.0, 10 * degree, 20 * degree})
+            expect_edges(Intrinsics{}, distance, roll, 0.02, 0.85);
 }
 
 TEST(Renderer, PostEdgesBendWithTheLens) {
@@ -207,9 +219,10 @@ TEST(Renderer, NearThingsHideFarOnes) {
     const Field field;
     Scene scene = make_scene(field, plain_scene());
     scene.tubes[2].colour = {100.0F, 100.0F, 100.0F};  // opponents' left, the near one
-    Renderer renderer(scene, camera, test::plain_light(), test::ideal_sensor());
+    Renderer renderer(scene, camera, test::plain_formation());
     Random random(1);
-    const YuyvImage image = renderer.render(camera_at(3.0, 1.75, -90 * degree, 0.42, 0.0, 0.0), random);
+    const YuyvImage image =
+        renderer.render(still(camera_at(3.0, 1.75, -90 * degree, 0.42, 0.0, 0.0)), random);
     EXPECT_EQ(image.view().at(320, 240).y, 100);
 }
 
@@ -228,12 +241,13 @@ TEST(Renderer, CrossbarJoinsThePosts) {
 }
 
 TEST(Renderer, LampsLightOneSideOfAPost) {
-    LightParameters light;
-    light.azimuth = 90 * degree;  // from +y: for a camera that looks along +x, from the left
-    light.limb_darkening = 0.0;
-    Renderer renderer(make_scene(Field{}, plain_scene()), Intrinsics{}, light, test::ideal_sensor());
+    ImageFormationParameters formation;
+    formation.light.azimuth = 90 * degree;  // from +y: for a camera that looks along +x, from the left
+    formation.light.limb_darkening = 0.0;
+    formation.sensor = test::ideal_sensor();
+    Renderer renderer(make_scene(Field{}, plain_scene()), Intrinsics{}, formation);
     Random random(1);
-    const YuyvImage image = renderer.render(camera_at(1.5, 0.75, 0.0, 0.42, 0.0, 0.0), random);
+    const YuyvImage image = renderer.render(still(camera_at(1.5, 0.75, 0.0, 0.42, 0.0, 0.0)), random);
     EXPECT_GT(image.view().at(306, 240).y, image.view().at(320, 240).y + 5);
     EXPECT_GE(image.view().at(320, 240).y, image.view().at(334, 240).y);
 }
@@ -243,7 +257,7 @@ TEST(Renderer, SameSeedSameBytes) {
     const Eigen::Isometry3d other = camera_at(0.5, 0.5, 0.2, 0.42, -0.03, 0.15);
     const auto frame = [&](Renderer& renderer, const Eigen::Isometry3d& T_WC, std::int64_t seq) {
         Random random = random_for_frame(7, "simulator", seq);
-        return renderer.render(T_WC, random).data;
+        return renderer.render(still(T_WC), random).data;
     };
     Renderer a(make_scene(Field{}, {}), Intrinsics{});
     Renderer b(make_scene(Field{}, {}), Intrinsics{});
@@ -262,7 +276,7 @@ TEST(Renderer, AnyPoseAboveTheGroundGivesAFrame) {
         const Eigen::Isometry3d T_WC =
             camera_at(random.uniform(-4, 4), random.uniform(-3, 3), random.uniform(-3, 3),
                       random.uniform(0.01, 2.5), random.uniform(-3, 3), random.uniform(-1.5, 1.5));
-        const YuyvImage image = renderer.render(T_WC, random);
+        const YuyvImage image = renderer.render(still(T_WC), random);
         ASSERT_EQ(image.data.size(), 162U * 2U * 77U);
     }
 }

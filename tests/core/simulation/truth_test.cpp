@@ -1,6 +1,7 @@
 #include "core/simulation/truth.h"
 
-#include "tests/core/simulation/measured.h"
+#include "core/simulation/robot.h"
+#include "tests/core/simulation/hall_support.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,6 +109,127 @@ TEST(TruePosts, TheBallHidesAPostsFoot) {
     const auto without = true_posts(make_scene(field, p), Intrinsics{}, T_WC);
     ASSERT_TRUE(find(with, 2) && find(without, 2));
     EXPECT_GT(find(without, 2)->visible, find(with, 2)->visible + 0.03);
+}
+
+TEST(TruePosts, InsideCountsWhatTheImageCutsAlone) {
+    SceneParameters p;
+    p.ball_on_penalty_mark = false;
+    p.ball_x = 2.6;
+    p.ball_y = 0.75;
+    Field field;
+    field.ball_diameter = 0.2;
+    const auto posts =
+        true_posts(make_scene(field, p), Intrinsics{}, camera_at(1.8, 0.75, 0.0, 0.42, 0.0, 0.05));
+    const TruePost* post = find(posts, 2);
+    ASSERT_TRUE(post);
+    // One metre and a fifth away, looking down 0.05 rad: the upper rim cuts the post, the ball hides its
+    // foot.
+    const double top = 0.42 + 1.2 * std::tan(std::atan(240.0 / Intrinsics{}.fy) - 0.05);
+    EXPECT_NEAR(post->inside, top / 0.95, 0.02);
+    EXPECT_LT(post->visible, post->inside - 0.03);
+}
+
+TEST(TruePosts, AnOwnGoalThatDoesNotStandIsNotThere) {
+    SceneParameters p;
+    const Eigen::Isometry3d T_WC = camera_at(0.0, 0.0, std::numbers::pi, 0.42, 0.0, 0.0);
+    EXPECT_EQ(true_posts(make_scene(Field{}, p), Intrinsics{}, T_WC).size(), 2U);
+    p.own_goal = false;
+    EXPECT_TRUE(true_posts(make_scene(Field{}, p), Intrinsics{}, T_WC).empty());
+    // Nor does it hide anything: from behind it, along the field, its post stood before the other goal's.
+    const Eigen::Isometry3d behind = camera_at(-3.9, 0.75, 0.0, 0.42, 0.0, 0.0);
+    const auto without = true_posts(make_scene(Field{}, p), Intrinsics{}, behind);
+    p.own_goal = true;
+    const auto with = true_posts(make_scene(Field{}, p), Intrinsics{}, behind);
+    ASSERT_TRUE(find(with, 2) && find(without, 2));
+    EXPECT_LT(find(with, 2)->visible, 0.1);
+    EXPECT_NEAR(find(without, 2)->visible, 1.0, 0.01);
+}
+
+/// Share of a post that a camera sees, by rays to many points of its silhouette against every solid thing.
+double cast_share(const Scene& scene, const Intrinsics& camera, const Eigen::Isometry3d& T_WC, int id) {
+    const Cylinder& post = scene.posts[static_cast<std::size_t>(id)];
+    const auto outline = silhouette(post, T_WC);
+    const Eigen::Vector3d eye = T_WC.translation();
+    constexpr int across = 60, along = 300;
+    int seen = 0;
+    for (int i = 0; i < across; ++i)
+        for (int k = 0; k < along; ++k) {
+            const double s = (i + 0.5) / across;
+            const Eigen::Vector3d at =
+                post.base + (k + 0.5) / along * post.length * post.axis +
+                post.radius * ((1.0 - s) * outline->left_contact + s * outline->right_contact);
+            const auto pixel = project(camera, T_WC.inverse() * at);
+            bool clear = pixel && pixel->x() >= -0.5 && pixel->y() >= -0.5 &&
+                         pixel->x() <= camera.width - 0.5 && pixel->y() <= camera.height - 0.5;
+            for (const Tube& tube : scene.tubes) {
+                if (!clear) break;
+                if (tube.of != Tube::Of::robot) continue;
+                const auto t = test::meets_solid(tube.cylinder, eye, at - eye);
+                clear = !t || *t > 1.0;
+            }
+            if (clear) ++seen;
+        }
+    return seen / static_cast<double>(across * along);
+}
+
+TEST(TruePosts, RobotsHideWhatRaysSayTheyHide) {
+    Random random(8);
+    const Intrinsics camera;
+    SceneParameters p;
+    p.ball_on_penalty_mark = false;
+    p.ball_x = -2.9;
+    p.spectators = 0;
+    const Scene bare = make_scene(Field{}, p);
+    int partly = 0;
+    for (int i = 0; i < 60; ++i) {
+        Scene scene = bare;
+        const double distance = random.uniform(1.2, 4.0);
+        for (int k = 0; k < 3; ++k)
+            add_robot(scene, {{3.0 - random.uniform(0.2, 0.8) * distance, 0.75 + random.uniform(-0.15, 0.15),
+                               random.uniform(-3, 3)},
+                              random.uniform() < 0.3,
+                              0.45,
+                              {}});
+        const Eigen::Isometry3d T_WC =
+            camera_at(3.0 - distance, 0.75, random.uniform(-0.2, 0.2), 0.42, random.uniform(-0.3, 0.3), 0.1);
+        const auto posts = true_posts(scene, camera, T_WC);
+        const TruePost* post = find(posts, 2);
+        if (!post) continue;  // a camera in the robot
+        const double expected = cast_share(scene, camera, T_WC, 2);
+        // 48 rows and 7 columns of samples: an edge may fall between two of them all the way along.
+        EXPECT_NEAR(post->visible, expected, 0.05) << i;
+        if (expected > 0.1 && expected < 0.9) ++partly;
+    }
+    EXPECT_GT(partly, 20);
+}
+
+TEST(TruePosts, ARobotHidesTheLowerPartOfAPost) {
+    // Two wide lying cylinders, one on the other, before the post: all below a level edge is hidden.
+    SceneParameters p;
+    p.ball_on_penalty_mark = false;
+    p.ball_x = -2.9;
+    Scene scene = make_scene(Field{}, p);
+    const Eigen::Isometry3d T_WC = camera_at(1.0, 0.75, 0.0, 0.42, 0.0, 0.0);
+    scene.tubes.push_back({cylinder_between({2.0, 0.55, 0.3}, {2.0, 0.95, 0.3}, 0.08), {}, Tube::Of::robot});
+    scene.tubes.push_back({cylinder_between({2.0, 0.55, 0.1}, {2.0, 0.95, 0.1}, 0.14), {}, Tube::Of::robot});
+    // The plane through the camera that touches the upper one from above meets the post 2 m away.
+    const double down = std::atan2(0.12, 1.0) - std::asin(0.08 / std::hypot(1.0, 0.12));
+    const double edge = 0.42 - 2.0 * std::tan(down);
+    const auto posts = true_posts(scene, Intrinsics{}, T_WC);
+    ASSERT_TRUE(find(posts, 2));
+    EXPECT_NEAR(edge / 0.95, 0.36, 0.02);
+    EXPECT_NEAR(find(posts, 2)->visible, 1.0 - edge / 0.95, 0.015);
+    EXPECT_NEAR(find(posts, 2)->inside, 1.0, 1e-9);
+}
+
+TEST(TruePosts, PeopleInFrontHide) {
+    SceneParameters p;
+    p.spectators = 0;
+    Scene scene = make_scene(Field{}, p);
+    scene.tubes.push_back({cylinder_between({2.0, 0.75, 0.0}, {2.0, 0.75, 1.9}, 0.2), {}, Tube::Of::hall});
+    const auto posts = true_posts(scene, Intrinsics{}, camera_at(1.0, 0.75, 0.0, 0.42, 0.0, 0.0));
+    ASSERT_TRUE(find(posts, 2));
+    EXPECT_EQ(find(posts, 2)->visible, 0.0);
 }
 
 TEST(Hit, MeetsTheNearSide) {

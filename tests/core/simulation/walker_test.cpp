@@ -117,6 +117,46 @@ TEST(Walker, IsAFunctionOfTimeHoweverOftenItIsAsked) {
     }
 }
 
+TEST(Walker, MotionIsTheDerivativeOfTheCamerasPose) {
+    Walker walker = make_walker();
+    constexpr double dt = 0.0005;
+    double fastest = 0.0, fastest_turn = 0.0;
+    for (double t = 0.0125; t < 60.0; t += 0.23) {
+        // All three within one tick of the head's joints.
+        walker.advance(0.01 * std::floor(t / 0.01) + 0.005 - dt);
+        const Eigen::Isometry3d before = walker.T_WC();
+        walker.advance(walker.time() + dt);
+        const CameraMotion motion = walker.motion();
+        EXPECT_EQ(motion.T_WC.matrix(), walker.T_WC().matrix());
+        walker.advance(walker.time() + dt);
+        const Eigen::Isometry3d after = walker.T_WC();
+        const Eigen::Vector3d velocity = (after.translation() - before.translation()) / (2.0 * dt);
+        const Eigen::AngleAxisd turned(Eigen::Matrix3d(before.linear().transpose() * after.linear()));
+        const Eigen::Vector3d turn_rate = turned.angle() / (2.0 * dt) * turned.axis();
+        // Where pieces of the route meet, its curvature jumps: there the two differences need not agree
+        // better.
+        ASSERT_LT((motion.velocity - velocity).norm(), 1e-3) << t;
+        ASSERT_LT((motion.turn_rate - turn_rate).norm(), 5e-3) << t;
+        // Over a frame's readout the even motion stays close to the true one.
+        ASSERT_LT((motion.at(dt).translation() - after.translation()).norm(), 1e-6) << t;
+        fastest = std::max(fastest, velocity.norm());
+        fastest_turn = std::max(fastest_turn, turn_rate.norm());
+    }
+    EXPECT_GT(fastest, 0.3);
+    EXPECT_GT(fastest_turn, 0.6);
+}
+
+TEST(Walker, MotionOfARestingCameraIsNone) {
+    WalkParameters parameters;
+    parameters.gait.speed = 0.0;
+    parameters.head.sweep = 0.0;
+    parameters.head.search_sweep = 0.0;
+    parameters.head.tilt_sweep = 0.0;
+    Walker walker = make_walker(parameters);
+    walker.advance(5.0);
+    EXPECT_TRUE(walker.motion().still());
+}
+
 TEST(Walker, SeesGoalpostsMuchOfTheTime) {
     for (const Field& field : {Field{}, large_field()}) {
         const Scene scene = make_scene(field, {});

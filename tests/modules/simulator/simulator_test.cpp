@@ -6,9 +6,11 @@
 #include "core/process/configuration.h"
 #include "core/process/run_module.h"
 #include "modules/simulator/simulator_module.h"
+#include "tests/support/data.h"
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -166,8 +168,14 @@ TEST(Simulator, ConfigurationOfTheProjectIsTheDefault) {
     const auto default_field = list_parameters<Field>();
     for (std::size_t i = 0; i < field.size(); ++i)
         EXPECT_EQ(field[i].value, default_field[i].value) << field[i].key;
+    const auto scene =
+        list_parameters(load_parameters<ImageFormationParameters>(std::filesystem::path(from_file.scene)));
+    const auto default_scene = list_parameters<ImageFormationParameters>();
+    for (std::size_t i = 0; i < scene.size(); ++i)
+        EXPECT_EQ(scene[i].value, default_scene[i].value) << scene[i].key;
     from_file.camera.clear();
     from_file.field.clear();
+    from_file.scene.clear();
     const auto read = list_parameters(from_file);
     const auto defaults = list_parameters<SimulatorParameters>();
     ASSERT_EQ(read.size(), defaults.size());
@@ -198,9 +206,21 @@ TEST(Simulator, WrongConfigurationSaysWhat) {
     MemoryHub hub;
     Status status;
     ModuleContext context{hub.endpoint("simulator"), status, "simulator", 1, {}};
-    SimulatorParameters colour;
-    colour.simulation.scene.carpet = {1.0, 2.0};
-    EXPECT_THROW(SimulatorModule(context, colour), ConfigurationError);
+    const test::TemporaryFolder folder;
+    const auto with_scene = [&](const std::string& text) {
+        SimulatorParameters p;
+        p.scene = (folder.path() / "scene.yaml").string();
+        std::ofstream(p.scene) << text;
+        return p;
+    };
+    EXPECT_THROW(SimulatorModule(context, with_scene("hall: {carpet: [1, 2]}\n")), ConfigurationError);
+    try {
+        SimulatorModule module(context, with_scene("sensor:\n  blur: 1\n  vignetting: -1\n"));
+        FAIL() << "a wrong value in a scene file was accepted";
+    } catch (const ConfigurationError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("scene.yaml:3"));
+        EXPECT_THAT(error.what(), testing::HasSubstr("sensor.vignetting"));
+    }
     SimulatorParameters missing;
     missing.field = "/nowhere/field.yaml";
     try {
