@@ -27,7 +27,7 @@ void describe_parameters(Visitor& v, ViewParameters& p) {
 }
 
 /// How fast the camera moves while a frame is taken: σ of normal draws for each frame.
-struct MotionParameters {
+struct CameraMotionParameters {
     double speed = 0.0;
     double roll_rate = 0.0;
     double pitch_rate = 0.0;
@@ -35,7 +35,7 @@ struct MotionParameters {
 };
 
 template <class Visitor>
-void describe_parameters(Visitor& v, MotionParameters& p) {
+void describe_parameters(Visitor& v, CameraMotionParameters& p) {
     v("speed", p.speed, Range{0, 5}, "m/s", "σ of the camera's speed along each level axis");
     v("roll_rate", p.roll_rate, Range{0, 20}, "rad/s", "σ of the turn about the optical axis");
     v("pitch_rate", p.pitch_rate, Range{0, 20}, "rad/s", "σ of the turn about the image's x axis");
@@ -85,7 +85,7 @@ void describe_parameters(Visitor& v, OccluderParameters& p) {
 struct EvaluationSceneParameters {
     std::string scene;
     ViewParameters view;
-    MotionParameters motion;
+    CameraMotionParameters motion;
     LensParameters lens;
     OccluderParameters occluders;
     double least_inside = 0.5;

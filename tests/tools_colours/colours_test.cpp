@@ -3,7 +3,7 @@
 #include "core/imaging/image_file.h"
 #include "core/process/configuration.h"
 #include "tests/support/data.h"
-#include "tools/goalmouth/colours_annotations.h"
+#include "tools/goalmouth/annotations.h"
 #include "tools/goalmouth/colours_train.h"
 #include "tools/goalmouth/verbs.h"
 
@@ -122,7 +122,7 @@ TEST_F(Colours, AnnotationsWithMistakesAreRefused) {
     };
     EXPECT_THAT(error("{"), HasSubstr("not an annotation file"));
     EXPECT_THAT(error(R"({"images": [{"file": "x.png"}]})"), HasSubstr("not an annotation file"));
-    EXPECT_THAT(error(R"({"images": [{"set": "other", "file": "x.png"}]})"), HasSubstr("it has: other"));
+    EXPECT_THAT(error(R"({"images": [{"set": "other", "file": "x.png"}]})"), HasSubstr("valid: other"));
     EXPECT_THAT(error(R"({"images": [{"set": "s", "file": "x.png"}]})"), HasSubstr("x.png: no such file"));
     EXPECT_THAT(error("{}", "4/4"), HasSubstr("--fold"));
     EXPECT_THAT(
@@ -152,8 +152,7 @@ void held_out_posts_are_found(const std::string& set, int fold) {
     const ColourTable table = load_colour_table(options.output);
     GoalColourScore score;
     int index = 0;
-    for (const AnnotatedImage& image : load_annotations(options.annotations, set)) {
-        if (image.excluded) continue;
+    for (const AnnotatedImage& image : Annotations(options.annotations).usable_pictures(set)) {
         if (index++ % 4 == fold) score += score_goal_colour(load_scene(image), table);
     }
     ASSERT_GT(score.inside, 0);

@@ -1,14 +1,10 @@
 #include "tools/goalmouth/colours_train.h"
 
-#include "core/imaging/colour_labels.h"
 #include "core/imaging/colour_picture.h"
 #include "core/imaging/colour_table_file.h"
-#include "core/imaging/colour_training.h"
 #include "core/imaging/conversion.h"
-#include "core/imaging/file_error.h"
 #include "core/imaging/image_file.h"
 #include "core/process/configuration.h"
-#include "tools/goalmouth/colours_annotations.h"
 #include "tools/goalmouth/output.h"
 
 #include <algorithm>
@@ -50,7 +46,7 @@ std::string key_of(const std::filesystem::path& file) {
 }
 
 Set choose(const TrainColoursOptions& options) {
-    std::vector<AnnotatedImage> annotated = load_annotations(options.annotations, options.set);
+    std::vector<AnnotatedImage> annotated = Annotations(options.annotations).pictures(options.set);
     std::set<std::string> wanted;
     for (const auto& file : wanted_files(options.images)) {
         const auto same = [&](const AnnotatedImage& a) { return key_of(a.file) == key_of(file); };
@@ -66,8 +62,7 @@ Set choose(const TrainColoursOptions& options) {
     Set set;
     for (std::size_t i = 0; i < annotated.size(); ++i) {
         if (!wanted.empty() && !wanted.contains(key_of(annotated[i].file))) continue;
-        const bool leave_out =
-            options.fold && static_cast<int>(i) % options.fold->count == options.fold->index;
+        const bool leave_out = options.fold && options.fold->holds(i);
         (leave_out ? set.left_out : set.trained).push_back(annotated[i]);
     }
     return set;
@@ -117,12 +112,23 @@ void print_score(const char* which, const std::vector<LabelledScene>& scenes, co
 
 }  // namespace
 
-std::optional<Fold> parse_fold(const std::string& text) {
-    Fold fold;
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%d/%d%c", &fold.index, &fold.count, &rest) != 2) return std::nullopt;
-    if (fold.count < 2 || fold.index < 0 || fold.index >= fold.count) return std::nullopt;
-    return fold;
+ColourTrainer learn_colours(std::span<const LabelledScene> scenes, const ColourTrainingParameters& parameters,
+                            const std::string& what,
+                            const std::function<void(std::size_t, const cv::Mat&)>& each) {
+    ColourTrainer trainer(parameters);
+    try {
+        const ChromaRegion field = find_field_colour(scenes);
+        const ChromaRegion goal = find_goal_colour(scenes);
+        for (std::size_t i = 0; i < scenes.size(); ++i) {
+            const cv::Mat labels = label_scene(scenes[i], field, goal);
+            trainer.add(scenes[i].image.view(), labels);
+            if (each) each(i, labels);
+        }
+    } catch (const std::invalid_argument& error) {
+        throw ConfigurationError(what + ": cannot train on these " + std::to_string(scenes.size()) +
+                                 " pictures: " + error.what());
+    }
+    return trainer;
 }
 
 int train_colours(const TrainColoursOptions& options) {
@@ -133,21 +139,11 @@ int train_colours(const TrainColoursOptions& options) {
     const Set set = choose(options);
     const std::vector<LabelledScene> scenes = load_scenes(set.trained);
 
-    ColourTrainer trainer(parameters);
-    try {
-        const ChromaRegion field = find_field_colour(scenes);
-        const ChromaRegion goal = find_goal_colour(scenes);
-        for (std::size_t i = 0; i < scenes.size(); ++i) {
-            const cv::Mat labels = label_scene(scenes[i], field, goal);
-            trainer.add(scenes[i].image.view(), labels);
+    const ColourTrainer trainer = learn_colours(
+        scenes, parameters, "set \"" + options.set + "\"", [&](std::size_t i, const cv::Mat& labels) {
             if (!options.labels.empty())
                 write_label_picture(options.labels, set.trained[i], scenes[i], labels);
-        }
-    } catch (const std::invalid_argument& error) {
-        throw ConfigurationError("cannot train on these " + std::to_string(scenes.size()) +
-                                 " pictures of set \"" + options.set + "\": " + error.what());
-    }
-
+        });
     ColourTable table =
         trainer.table(options.bits, options.name.empty() ? options.output.stem().string() : options.name);
     std::string made = "trained on " + std::to_string(scenes.size()) + " pictures of " + options.set;

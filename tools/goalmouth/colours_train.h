@@ -1,25 +1,28 @@
 #pragma once
 
+#include "core/imaging/colour_labels.h"
+#include "core/imaging/colour_training.h"
+#include "tools/goalmouth/annotations.h"
+
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace goalmouth {
 
-/// Leaves out every picture whose place in the set (ordered by name, from 0) is ≡ index modulo count.
-struct Fold {
-    int index = 0;
-    int count = 1;
-};
-
-/// "0/4"; nothing where the text is not I/N with 0 ≤ I < N and N ≥ 2.
-std::optional<Fold> parse_fold(const std::string& text);
+/// What a table is made of, learnt from annotated pictures; `each` sees the labels of every one, by its
+/// place. Throws ConfigurationError, which begins with `what`, where nothing can be learnt from them.
+ColourTrainer learn_colours(std::span<const LabelledScene> scenes, const ColourTrainingParameters& parameters,
+                            const std::string& what,
+                            const std::function<void(std::size_t, const cv::Mat&)>& each = {});
 
 struct TrainColoursOptions {
     std::filesystem::path annotations;
     std::string set;
-    std::optional<Fold> fold;
+    std::optional<Fold> fold;                   // left out
     std::vector<std::filesystem::path> images;  // files or folders; empty: the whole set
     std::filesystem::path parameters;           // YAML for ColourTrainingParameters; empty: defaults
     std::filesystem::path labels;               // folder for pictures of the labels; empty: none

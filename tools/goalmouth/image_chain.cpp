@@ -4,11 +4,15 @@
 #include "core/conversion/camera_pose.h"
 #include "core/conversion/candidates.h"
 #include "core/conversion/intrinsics.h"
+#include "core/conversion/kinematics.h"
+#include "core/conversion/odometry.h"
+#include "core/conversion/pose.h"
 #include "core/conversion/posts.h"
 #include "core/messaging/channels.h"
 #include "core/messaging/memory_bus.h"
 #include "core/messaging/typed.h"
 #include "core/process/configuration.h"
+#include "core/process/graph.h"
 #include "core/process/status.h"
 #include "tools/goalmouth/registry.h"
 
@@ -19,6 +23,7 @@
 #include <goalmouth/border_t.hpp>
 #include <goalmouth/candidates_t.hpp>
 #include <goalmouth/image_t.hpp>
+#include <goalmouth/pose_t.hpp>
 #include <goalmouth/posts_t.hpp>
 
 namespace goalmouth {
@@ -31,9 +36,9 @@ bool publishes_type(const GraphProcess& process, const std::string& type) {
     return std::any_of(uses.begin(), uses.end(), [&](const ChannelUse& use) { return use.type == type; });
 }
 
-/// The processes between pictures and posts: those that find posts, and whatever they get their messages
-/// from, up to the source of the pictures, which is left out.
-std::vector<GraphProcess> stages_to_posts(const Graph& graph) {
+/// The processes between pictures and messages of type `result`: those that publish it, and whatever they get
+/// their messages from, up to the source of the pictures, which is left out.
+std::vector<GraphProcess> stages_to(const std::string& result, const Graph& graph) {
     std::set<std::string> wanted;  // channels
     std::vector<bool> taken(graph.processes.size(), false);
     for (bool grew = true; grew;) {
@@ -44,13 +49,12 @@ std::vector<GraphProcess> stages_to_posts(const Graph& graph) {
             const auto& info = process.description.info;
             const bool needed =
                 std::any_of(info.publishes.begin(), info.publishes.end(), [&](const ChannelUse& use) {
-                    return use.type == "posts_t" || wanted.contains(process.channel(use.channel));
+                    return use.type == result || wanted.contains(process.channel(use.channel));
                 });
             if (!needed) continue;
             taken[i] = grew = true;
             for (const ChannelUse& use : info.subscribes) {
-                if (use.type != "image_t" && use.type != "posts_t")
-                    wanted.insert(process.channel(use.channel));
+                if (use.type != "image_t" && use.type != result) wanted.insert(process.channel(use.channel));
             }
         }
     }
@@ -122,6 +126,7 @@ struct ImageChain::State {
     std::vector<std::unique_ptr<Stage>> stages;
     std::set<std::string> image_channels;
     std::set<std::string> kinematics_channels;
+    std::set<std::string> odometry_channels;
     Intrinsics camera;
     std::optional<Eigen::Isometry3d> T_BC;
     std::int64_t utime = 0;
@@ -138,7 +143,7 @@ void ImageChain::State::add(const Graph& graph, const GraphProcess& process) {
     if (type == nullptr) {
         throw ConfigurationError(
             process.place.text() + ": process " + process.name + " runs " + process.executable +
-            ", which is not one of goalmouth's modules and cannot run inside `goalmouth detect`");
+            ", which is not one of goalmouth's modules and cannot run inside `goalmouth`");
     }
     auto stage = std::make_unique<Stage>();
     stage->process = process;
@@ -149,6 +154,7 @@ void ImageChain::State::add(const Graph& graph, const GraphProcess& process) {
     for (const ChannelUse& use : type->info.subscribes) {
         if (use.channel == channels::image) image_channels.insert(process.channel(use.channel));
         if (use.type == "kinematics_t") kinematics_channels.insert(process.channel(use.channel));
+        if (use.type == "odometry_t") odometry_channels.insert(process.channel(use.channel));
     }
     stages.push_back(std::move(stage));
 }
@@ -175,16 +181,21 @@ void ImageChain::State::listen() {
             result.detectors.push_back(m.detector);
         }
     });
+    hear<pose_t>("pose_t", [this](const pose_t& m) { result.pose = from_message(m); });
 }
 
 ImageChain::ImageChain(const ImageChainOptions& options) : state_(std::make_unique<State>()) {
     GraphOptions graph_options;
     graph_options.settings = options.settings;
     graph_options.describe = describe_module;
-    const Graph graph = load_graph(options.graph, graph_options);
-    std::vector<GraphProcess> stages = stages_to_posts(graph);
-    if (stages.empty())
-        throw ConfigurationError(graph.file.string() + ": no process of this graph finds goalposts");
+    Graph graph = load_graph(options.graph, graph_options);
+    graph.seed = options.seed.value_or(graph.seed);
+    const bool to_pose = options.end == ChainEnd::pose;
+    std::vector<GraphProcess> stages = stages_to(to_pose ? "pose_t" : "posts_t", graph);
+    if (stages.empty()) {
+        throw ConfigurationError(graph.file.string() + ": no process of this graph finds " +
+                                 (to_pose ? "the robot's pose" : "goalposts"));
+    }
     override_parameter(stages, "colours", options.colours, "--colours");
     override_parameter(stages, "field", options.field, "--field");
 
@@ -204,14 +215,22 @@ ImageResult ImageChain::run(const ChainFrame& frame) {
     State& s = *state_;
     s.result = {};
     s.result.camera = frame.camera.value_or(scaled_to(s.camera, image.width, image.height));
-    s.utime += 1'000'000;
+    s.utime = frame.utime.value_or(s.utime + 1'000'000);
     std::vector<std::chrono::nanoseconds> before;
     for (const auto& stage : s.stages) before.push_back(stage->bus->time_spent());
 
     MemoryBus& source = s.hub.endpoint("picture");
-    if (s.T_BC) {
-        for (const auto& channel : s.kinematics_channels)
-            publish(source, channel, kinematics_message(*s.T_BC, s.utime, frame.seq));
+    if (frame.kinematics || s.T_BC) {
+        const kinematics_t message = frame.kinematics
+                                         ? to_message(KinematicsSample{s.utime, *frame.kinematics}, frame.seq)
+                                         : kinematics_message(*s.T_BC, s.utime, frame.seq);
+        for (const auto& channel : s.kinematics_channels) publish(source, channel, message);
+    }
+    if (frame.odometry) {
+        OdometrySample sample = *frame.odometry;
+        sample.utime = s.utime;
+        for (const auto& channel : s.odometry_channels)
+            publish(source, channel, to_message(sample, frame.seq));
     }
     const image_t message = image_message(image, s.result.camera, s.utime, frame.seq);
     for (const auto& channel : s.image_channels) publish(source, channel, message);

@@ -5,7 +5,8 @@
 #include "core/extraction/candidates.h"
 #include "core/geometry/camera.h"
 #include "core/imaging/yuyv.h"
-#include "core/process/graph.h"
+#include "core/localisation/belief.h"
+#include "core/localisation/frame_aligner.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -26,8 +27,12 @@ struct ImageResult {
     Candidates candidates;
     std::vector<Post> posts;                     // of all detectors of the graph
     std::vector<std::string> detectors;          // beside `posts`: which program found it
+    std::optional<PoseEstimate> pose;            // of a chain that goes on to the pose
     std::map<std::string, double> milliseconds;  // by process
 };
+
+/// How far a chain leads.
+enum class ChainEnd { posts, pose };
 
 struct ImageChainOptions {
     std::string graph = "ransac";           // file, or name of one in config/graphs/
@@ -36,18 +41,24 @@ struct ImageChainOptions {
     std::filesystem::path field;            // "": as the graph says
     std::filesystem::path colours;          // "": as the graph says
     std::optional<Eigen::Isometry3d> T_BC;  // of all pictures, where known
+    std::optional<std::uint64_t> seed;      // in place of the graph's
+    ChainEnd end = ChainEnd::posts;
 };
 
-/// One picture for the chain.
+/// One picture for the chain, with what the robot measured as it was taken. The times of `kinematics` and
+/// `odometry` are replaced by the picture's.
 struct ChainFrame {
     YuyvView image;
-    std::int64_t seq = 0;              // what is drawn at random for it follows from this number
-    std::optional<Intrinsics> camera;  // of this picture, at its size; else the chain's, scaled to it
+    std::int64_t seq = 0;                    // what is drawn at random for it follows from this number
+    std::optional<Intrinsics> camera = {};   // of this picture, at its size; else the chain's, scaled to it
+    std::optional<std::int64_t> utime = {};  // µs, later than the picture before; else a second after that
+    std::optional<CameraPose> kinematics = {};  // else T_BC of the chain, where that is known
+    std::optional<OdometrySample> odometry = {};
 };
 
-/// The part of a graph that leads from pictures to goalposts, as module objects on a bus in memory: what the
-/// processes would do, in one process and without drops. Each picture is a frame of its own, so that
-/// its result does not depend on the pictures before.
+/// The part of a graph that leads from pictures to goalposts, or on to the robot's pose, as module objects on
+/// a bus in memory: what the processes would do, in one process and without drops. What a chain says of
+/// posts does not depend on the pictures before; the pose does, and a new chain starts anew.
 class ImageChain {
   public:
     /// Throws ConfigurationError, also where the graph has a stage whose program is not ours or finds no

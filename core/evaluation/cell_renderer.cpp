@@ -1,0 +1,101 @@
+#include "core/evaluation/cell_renderer.h"
+
+#include "core/evaluation/edge_path.h"
+#include "core/simulation/robot.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace goalmouth {
+namespace {
+
+constexpr double robot_width = 0.25;  // m, shoulder to shoulder of a DARwIn-OP with its arms
+
+/// Halls place their robots anywhere; not where the camera's own robot stands.
+bool leaves_room(const Scene& scene, const Eigen::Vector3d& eye) {
+    constexpr double clear = 0.3;  // m
+    for (const Tube& tube : scene.tubes) {
+        if (tube.of != Tube::Of::robot) continue;
+        const Eigen::Vector2d base = tube.cylinder.base.head<2>();
+        const Eigen::Vector2d along = tube.cylinder.top().head<2>() - base;
+        const Eigen::Vector2d to_eye = eye.head<2>() - base;
+        const double length = along.squaredNorm();
+        const double share = length > 0.0 ? std::clamp(to_eye.dot(along) / length, 0.0, 1.0) : 0.0;
+        if ((to_eye - share * along).norm() < clear) return false;
+    }
+    return true;
+}
+
+void add_occluder(Scene& scene, const Occluder& occluder, const Eigen::Vector3d& eye) {
+    const Rgb cyan{40, 170, 200};
+    const Rgb magenta{200, 50, 150};
+    const Eigen::Vector2d post = scene.posts[post_in_line].base.head<2>();
+    const Eigen::Vector2d way = post - eye.head<2>();
+    const Eigen::Vector2d left = Eigen::Vector2d(-way.y(), way.x()).normalized();
+    const double reach = scene.field.post_diameter + robot_width;
+    const Eigen::Vector2d place = eye.head<2>() + occluder.way * way + occluder.sideways * reach * left;
+    RobotPlace robot;
+    robot.pose = {place.x(), place.y(), occluder.heading};
+    robot.fallen = occluder.fallen;
+    robot.jersey = occluder.magenta ? magenta : cyan;
+    add_robot(scene, robot);
+}
+
+}  // namespace
+
+std::vector<ReferencePost> CellFrame::outlines() const {
+    std::vector<ReferencePost> result;
+    for (const KnownPost& post : posts) result.push_back(post.outline);
+    return result;
+}
+
+CellRenderer::CellRenderer(const EvaluationScene& scene, const Field& field, const Intrinsics& calibration,
+                           std::uint64_t seed)
+    : scene_(scene),
+      field_(field),
+      seed_(seed),
+      renderer_(make_scene(field, scene.formation.hall), true_camera(calibration, scene.parameters.lens),
+                scene.formation),
+      exposure_(scene.formation.exposure, scene.formation.light.temperature, random_for("exposure", 0)) {}
+
+Random CellRenderer::random_for(const char* purpose, std::int64_t number) const {
+    return random_for_frame(seed_, "evaluation/" + scene_.name + "/" + purpose, number);
+}
+
+Scene CellRenderer::draw_hall(const CellView& view, std::int64_t number) const {
+    constexpr std::uint32_t seeds = 1'000'000'000;
+    constexpr int most_tries = 100;
+    const Eigen::Vector3d eye = view.camera.T_WC.translation();
+    Random random = random_for("hall", number);
+    SceneParameters hall = scene_.formation.hall;
+    Scene scene;
+    for (int i = 0; i < most_tries; ++i) {
+        hall.clutter_seed = static_cast<int>(random.index(seeds));
+        scene = make_scene(field_, hall);
+        if (leaves_room(scene, eye)) break;
+    }
+    if (view.occluder) add_occluder(scene, *view.occluder, eye);
+    return scene;
+}
+
+CellFrame CellRenderer::render(int cell, int index) {
+    const std::int64_t number = frame_number(cell, index);
+    CellFrame frame;
+    frame.view =
+        draw_view(random_for("view", number), scene_.parameters, field_, evaluation_cell(cell), camera());
+    renderer_.change_scene(draw_hall(frame.view, number));
+    Random noise = random_for("noise", number);
+    frame.image = renderer_.render({frame.view.camera, exposure_.gains(frame.view.time)}, noise);
+
+    const CountingRule rule{scene_.parameters.least_inside, scene_.parameters.occluders.largest_hidden};
+    const Scene& scene = renderer_.scene();
+    for (const TruePost& truth : true_posts(scene, camera(), frame.view.camera.T_WC)) {
+        const Cylinder& post = scene.posts[static_cast<std::size_t>(truth.id)];
+        const auto edges = edges_in_picture(camera(), frame.view.camera, scene_.formation.shutter, post);
+        if (const auto outline = visible_outline(truth, edges, camera(), rule))
+            frame.posts.push_back({truth, *outline});
+    }
+    return frame;
+}
+
+}  // namespace goalmouth

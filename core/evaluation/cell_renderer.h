@@ -1,0 +1,73 @@
+#pragma once
+
+#include "core/evaluation/cell.h"
+#include "core/evaluation/cell_view.h"
+#include "core/evaluation/evaluation_scene.h"
+#include "core/evaluation/reference_post.h"
+#include "core/evaluation/visible_post.h"
+#include "core/field/field.h"
+#include "core/geometry/camera.h"
+#include "core/imaging/yuyv.h"
+#include "core/simulation/exposure.h"
+#include "core/simulation/image_formation.h"
+#include "core/simulation/renderer.h"
+#include "core/simulation/truth.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace goalmouth {
+
+/// A scene as an evaluation knows it: a file of config/evaluation with the file of config/scenes it names.
+struct EvaluationScene {
+    std::string name;
+    EvaluationSceneParameters parameters;
+    ImageFormationParameters formation;
+};
+
+/// A true post of which some part is in the picture.
+struct KnownPost {
+    TruePost truth;
+    ReferencePost outline;
+};
+
+/// A picture and what is known about it.
+struct CellFrame {
+    YuyvImage image;
+    CellView view;
+    std::vector<KnownPost> posts;
+
+    std::vector<ReferencePost> outlines() const;
+};
+
+/// Ids of the posts of the opponents' goal, as Field::posts().
+inline constexpr int post_in_line = 3;
+inline constexpr int second_post = 2;
+
+/// Draws the frames of the paper's experiment in one scene. Each is a function of (seed, scene, camera, cell,
+/// index) alone, so that any of them can be drawn again. Not for more than one thread at a time.
+class CellRenderer {
+  public:
+    /// `calibration`: the camera's, at the size of the pictures. Throws std::invalid_argument where the
+    /// scene's parameters make no scene.
+    CellRenderer(const EvaluationScene& scene, const Field& field, const Intrinsics& calibration,
+                 std::uint64_t seed);
+
+    /// cell 0 … cell_count − 1, index 0 … most_frames_per_cell − 1.
+    CellFrame render(int cell, int index);
+
+    const Intrinsics& camera() const { return renderer_.camera(); }  // as it is, not as detectors are told
+
+  private:
+    Random random_for(const char* purpose, std::int64_t number) const;
+    Scene draw_hall(const CellView& view, std::int64_t number) const;
+
+    EvaluationScene scene_;
+    Field field_;
+    std::uint64_t seed_;
+    Renderer renderer_;
+    Exposure exposure_;
+};
+
+}  // namespace goalmouth

@@ -1,0 +1,145 @@
+#include "tests/tools_evaluate/evaluate_command.h"
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+namespace goalmouth {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+struct Merge : test::EvaluateCommand {
+    void SetUp() override {
+        frames_per_cell = "1";
+        for (int part = 1; part <= 4; ++part) {
+            const std::string name = std::to_string(part) + ".json";
+            shards.push_back(path(name));
+            ASSERT_EQ(small_paper(name, {"--scene", "flat,match", "--shard", std::to_string(part) + "/4"}),
+                      0);
+        }
+    }
+    int merge(std::vector<std::string> files, const std::string& target, bool partial = false) {
+        files.insert(files.begin(), "merge");
+        files.insert(files.end(), {"--json", path(target)});
+        if (partial) files.emplace_back("--partial");
+        return run(files);
+    }
+    std::string refused(std::vector<std::string> files) {
+        files.insert(files.begin(), "merge");
+        files.insert(files.end(), {"--json", path("out.json")});
+        return refusal(files);
+    }
+
+    std::vector<std::string> shards;
+};
+
+TEST_F(Merge, GivesTheWholeRunBitForBit) {
+    ASSERT_EQ(small_paper("whole.json", {"--scene", "flat,match"}), 0);
+    ASSERT_EQ(merge({shards[2], shards[0], shards[3], shards[1]}, "merged.json"), 0);
+    const Json whole = json("whole.json");
+    const Json merged = json("merged.json");
+    for (const char* part : {"cells", "tilts", "frames"}) EXPECT_TRUE(whole[part] == merged[part]) << part;
+    const auto without_command = [](std::string file) {
+        const auto at = file.find("\n \"command\"");
+        return file.erase(at, file.find('\n', at + 1) - at);
+    };
+    EXPECT_TRUE(without_command(text("whole.json")) == without_command(text("merged.json")));
+    EXPECT_THAT(printed, HasSubstr("ransac, scene flat"));
+}
+
+TEST_F(Merge, SplitsFramesAmongShards) {
+    std::size_t frames = 0;
+    for (int part = 1; part <= 4; ++part) {
+        const Json j = json(std::to_string(part) + ".json");
+        EXPECT_EQ(j["shard"], std::to_string(part) + "/4");
+        EXPECT_TRUE(j["complete"].get<bool>());
+        frames += j["frames"].size();
+    }
+    EXPECT_EQ(frames, 1U * 18U * 2U * 2U);
+}
+
+TEST_F(Merge, AsksForAllShardsUnlessPartial) {
+    write("out.json", "old");
+    const std::string said = refused({shards[0], shards[1], shards[3]});
+    EXPECT_THAT(said, HasSubstr("3/4"));
+    EXPECT_THAT(said, HasSubstr("9 of 36"));
+    EXPECT_TRUE(text("out.json") == "old");
+    ASSERT_EQ(merge({shards[0], shards[1], shards[3]}, "part.json", true), 0);
+    EXPECT_FALSE(json("part.json")["complete"].get<bool>());
+    ASSERT_EQ(merge({shards[2], path("part.json")}, "all.json"), 0);
+    EXPECT_TRUE(json("all.json")["complete"].get<bool>());
+}
+
+TEST_F(Merge, RefusesTheSameFramesTwice) {
+    const std::string said = refused({shards[0], shards[1], shards[0]});
+    EXPECT_THAT(said, HasSubstr("1.json"));
+    EXPECT_THAT(said, HasSubstr("already"));
+}
+
+TEST_F(Merge, RefusesPartsOfAnotherWhole) {
+    const auto other = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> with = {"--scene", "flat,match", "--shard", "2/4"};
+        with.insert(with.end(), more.begin(), more.end());
+        EXPECT_EQ(small_paper("other.json", with), 0);
+        return refused({shards[0], path("other.json")});
+    };
+    for (const auto& [more, what] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{"--seed", "9"}, "seed"}, {{"--set", "detection.ransac.attempts=7"}, "settings"}}) {
+        const std::string said = other(more);
+        EXPECT_THAT(said, HasSubstr("other.json"));
+        EXPECT_THAT(said, HasSubstr(what));
+    }
+    Json j = json("2.json");
+    j["version"] = "0.0.0";
+    write("other.json", j.dump());
+    EXPECT_THAT(refused({shards[0], path("other.json")}), HasSubstr("version"));
+}
+
+TEST_F(Merge, NamesTheFileThatIsNoResult) {
+    const auto named = [&](const std::string& content) {
+        write("bad.json", content);
+        const std::string said = refused({shards[0], path("bad.json")});
+        EXPECT_THAT(said, HasSubstr("bad.json")) << content.substr(0, 80);
+        EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    };
+    named("");
+    named("no JSON");
+    named("{}");
+    named("[1, 2]");
+    named("{\"what\": \"something else\"}");
+    named("{\"what\": \"paper\"}");
+    named("{\"what\": \"localisation\"}");
+    const std::string whole = text("2.json");
+    named(whole.substr(0, whole.size() / 2));
+    EXPECT_THAT(refused({shards[0], path("missing.json")}), HasSubstr("missing.json"));
+    EXPECT_THAT(refused({folder.path().string()}), HasSubstr(folder.path().string()));
+
+    const auto changed = [&](const std::function<void(Json&)>& change) {
+        Json j = json("2.json");
+        change(j);
+        named(j.dump());
+    };
+    changed([](Json& j) { j["seed"] = "one"; });
+    changed([](Json& j) { j["size"] = 7; });
+    changed([](Json& j) { j["frames_per_cell"] = 0; });
+    changed([](Json& j) { j["scenes"] = Json::array(); });
+    changed([](Json& j) { j["shard"] = "9/4"; });
+    changed([](Json& j) { j["settings"] = 3; });
+    changed([](Json& j) { j["frames"] = 3; });
+    changed([](Json& j) { j["frames"][0] = 3; });
+    changed([](Json& j) { j["frames"][0][1] = 18; });
+    changed([](Json& j) { j["frames"][0][2] = -1; });
+    changed([](Json& j) { j["frames"][0][3] = 1; });
+    changed([](Json& j) { j["frames"][0][4] = 0.5; });
+    changed([](Json& j) { j["frames"][0][9] = "far"; });
+    changed([](Json& j) { j["frames"].erase(0); });
+    changed([](Json& j) { std::swap(j["frames"][0], j["frames"][4]); });
+}
+
+}  // namespace
+}  // namespace goalmouth

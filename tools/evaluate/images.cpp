@@ -1,0 +1,117 @@
+#include "tools/evaluate/images.h"
+
+#include "core/process/configuration.h"
+#include "tools/evaluate/command_line.h"
+#include "tools/evaluate/graph_settings.h"
+#include "tools/evaluate/images_report.h"
+#include "tools/evaluate/interrupt.h"
+#include "tools/evaluate/progress.h"
+#include "tools/evaluate/report/figure.h"
+#include "tools/evaluate/report/report_folder.h"
+#include "tools/goalmouth/output.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <thread>
+
+namespace goalmouth {
+namespace {
+
+struct Given {
+    ImagesOptions options;
+    std::string detectors = "ransac,tuned,histogram";
+    std::vector<std::string> cameras;
+    std::string json;
+    std::filesystem::path report;
+};
+
+std::string command_of(const Given& given) {
+    CommandLine line("goalmouth evaluate images");
+    const ImagesOptions& o = given.options;
+    line.word(o.folder.string()).option("--annotations", o.annotations.string());
+    for (const std::string& set : o.sets) line.option("--set", set);
+    line.option("--detectors", given.detectors).option("--colours", o.colours.string());
+    if (o.colours.empty()) line.option("--folds", std::to_string(o.folds));
+    for (const std::string& camera : given.cameras) line.option("--camera", camera);
+    return line.option("--json", given.json).option("--report", given.report.string()).text();
+}
+
+void take_lists(Given& given) {
+    given.options.detectors = graph_list(given.detectors, "--detectors");
+    for (const std::string& camera : given.cameras) {
+        const auto equals = camera.find('=');
+        const std::string set = equals == std::string::npos ? "" : camera.substr(0, equals);
+        const std::string file = equals == std::string::npos ? camera : camera.substr(equals + 1);
+        if (!given.options.cameras.emplace(set, file).second)
+            throw ConfigurationError("--camera: given twice for " +
+                                     (set.empty() ? "all sets" : "set \"" + set + "\""));
+    }
+    if (!given.options.colours.empty() && !std::filesystem::exists(given.options.colours))
+        throw ConfigurationError("--colours: there is no file " + given.options.colours.string());
+}
+
+int evaluate(Given given) {
+    take_lists(given);
+    if (!given.json.empty()) expect_writable(given.json, "--json");
+    if (!given.report.empty()) {
+        expect_report_folder(given.report);
+        expect_gnuplot();
+    }
+    ImagesResult result{GOALMOUTH_VERSION, command_of(given), given.options, {}};
+    const Interrupt interrupt;
+    {
+        std::optional<Progress> bar;
+        result.sets = evaluate_images(
+            given.options, {.expect = [&](std::size_t pictures) { bar.emplace(pictures, "pictures"); },
+                            .step = [&] { bar->step(); },
+                            .stop = [&] { return interrupt.requested(); }});
+    }
+    if (!given.json.empty()) write_text(given.json, images_json(result).dump(1) + "\n", "--json");
+    if (!given.report.empty()) write_images_report(result, given.report);
+    std::cout << images_text(result);
+    if (result.complete()) return 0;
+    std::cerr << "goalmouth: interrupted: what was done by then is written; \"complete\" is false\n";
+    return Interrupt::exit_code;
+}
+
+}  // namespace
+
+void add_evaluate_images(CLI::App& evaluate_verb, Action& action) {
+    const auto given = std::make_shared<Given>();
+    ImagesOptions& options = given->options;
+    options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    CLI::App* verb =
+        evaluate_verb.add_subcommand("images", "Detectors against real pictures with posts marked by hand");
+    verb->add_option("DIR", options.folder, "folder of the pictures and of annotations.json")->required();
+    verb->add_option("--annotations", options.annotations,
+                     "annotation file (docs/colour_tables.md), its pictures' names counting from DIR");
+    verb->add_option("--set", options.sets, "a set of the annotations; may be repeated; else all of them")
+        ->allow_extra_args(false);
+    verb->add_option("--detectors", given->detectors,
+                     "graphs to compare: names in config/graphs or files, with commas between")
+        ->capture_default_str();
+    CLI::Option* colours = verb->add_option(
+        "--colours", options.colours,
+        "colour table; else tables are learnt from the annotations, each without the pictures it is for");
+    verb->add_option("--folds", options.folds, "parts a set is split into for that")
+        ->check(CLI::Range(2, 1000).description(""))
+        ->excludes(colours)
+        ->capture_default_str();
+    verb->add_option("--camera", given->cameras,
+                     "FILE or SET=FILE, may be repeated: calibration; else config/cameras/SET.yaml where "
+                     "there is one, else the graph's")
+        ->allow_extra_args(false);
+    verb->add_option("--json", given->json, "write figures and every picture's posts there");
+    verb->add_option("--report", given->report, "folder for a page with tables, figures and failures");
+    verb->add_option("--jobs", options.jobs, "pictures worked on at once; never changes the result")
+        ->check(CLI::Range(1, 1024).description(""))
+        ->capture_default_str();
+    verb->footer(
+        "Exit code: 0 all went well, 2 the command line, the annotations or a picture is wrong, 130 "
+        "interrupted.");
+    verb->callback([given, &action] { action = [given] { return evaluate(*given); }; });
+}
+
+}  // namespace goalmouth

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "tools/evaluate/images_score.h"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace goalmouth {
+
+struct ImagesOptions {
+    std::filesystem::path folder;                                        // the pictures' names count from it
+    std::filesystem::path annotations;                                   // "": annotations.json in the folder
+    std::vector<std::string> sets;                                       // empty: every one
+    std::vector<std::string> detectors{"ransac", "tuned", "histogram"};  // graphs
+    std::filesystem::path colours;  // "": tables are learnt from the other folds of the same set
+    int folds = 4;
+    std::map<std::string, std::filesystem::path> cameras;  // by set; "" for all others
+    int jobs = 1;
+};
+
+/// What was made of one set.
+struct ImageSetResult {
+    std::string set;
+    std::filesystem::path camera;         // "": each graph's own
+    std::vector<ScoredPicture> pictures;  // by name; each with every detector, in their order
+    bool complete = true;
+
+    std::vector<const ScoredPicture*> of(const std::string& detector) const;
+    ImageScore score(const std::string& detector) const;
+};
+
+struct ImagesProgress {
+    std::function<void(std::size_t pictures)> expect;  // in all; before the first
+    std::function<void()> step;                        // after each picture; from any thread
+    std::function<bool()> stop;                        // no further picture is begun
+};
+
+/// Runs every detector on every picture of the sets. A picture's result depends on nothing but the picture,
+/// its table and its camera. Throws ConfigurationError for every mistake in the options and the files.
+std::vector<ImageSetResult> evaluate_images(const ImagesOptions& options,
+                                            const ImagesProgress& progress = {});
+
+}  // namespace goalmouth

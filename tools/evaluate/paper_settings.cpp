@@ -1,0 +1,61 @@
+#include "tools/evaluate/paper_settings.h"
+
+#include "core/process/configuration.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace goalmouth {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Numbers, truth values and lists as such, all else as text.
+Json value_as_json(const std::string& yaml) {
+    Json value = Json::parse(yaml, nullptr, false);
+    if (!value.is_discarded() && !value.is_object()) return value;
+    if (yaml.find('/') != std::string::npos) return std::filesystem::path(yaml).filename().string();
+    return yaml;
+}
+
+template <class Parameters>
+Json parameters_as_json(const Parameters& parameters) {
+    Json j = Json::object();
+    for (const ParameterInfo& each : list_parameters(parameters)) j[each.key] = value_as_json(each.value);
+    return j;
+}
+
+}  // namespace
+
+Json settings_as_json(const PaperGrid& grid) {
+    Json j;
+    j["field"] = parameters_as_json(grid.field);
+    j["camera"] = parameters_as_json(grid.camera);
+    j["scenes"] = Json::object();
+    for (const EvaluationScene& scene : grid.scenes) {
+        Json& of = j["scenes"][scene.name];
+        of["view"] = parameters_as_json(scene.parameters);
+        of["formation"] = parameters_as_json(scene.formation);
+    }
+    return j;
+}
+
+Json settings_as_json(const Graph& graph) {
+    Json j = Json::object();
+    for (const GraphProcess& process : graph.processes) {
+        const auto& info = process.description.info;
+        const bool source = std::any_of(info.publishes.begin(), info.publishes.end(),
+                                        [](const ChannelUse& use) { return use.type == "image_t"; });
+        if (source || process.description.parameters.empty()) continue;
+        const Configuration configuration = process.configuration();
+        Json& of = j[process.name];
+        of["executable"] = process.executable;
+        for (const ParameterInfo& each : process.description.parameters) {
+            const std::string set = configuration.text(each.key);
+            of[each.key] = value_as_json(set.empty() ? each.value : set);
+        }
+    }
+    return j;
+}
+
+}  // namespace goalmouth

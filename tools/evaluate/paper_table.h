@@ -1,0 +1,13 @@
+#pragma once
+
+#include "tools/evaluate/paper_result.h"
+
+#include <string>
+
+namespace goalmouth {
+
+/// For a terminal: by detector, scene and tilt what was detected and how far off its distances were, with the
+/// paper's figures beside.
+std::string paper_table(const PaperResult& result);
+
+}  // namespace goalmouth
