@@ -32,6 +32,17 @@ class EdgeCoverage {
         return s >= 0.0F ? 0.5F + beyond_half : 0.5F - beyond_half;
     }
 
+    /// The same without branches, for loops over pixels.
+    float branchless(float s) const {
+        const float magnitude = s < 0.0F ? -s : s;
+        const float a = magnitude < outer_ ? magnitude : outer_;
+        const float rest = outer_ - a;
+        const float flat = a / large_;
+        const float sloping = 0.5F - 0.5F * rest * rest / (small_ * large_);
+        const float beyond_half = a <= inner_ ? flat : sloping;
+        return s >= 0.0F ? 0.5F + beyond_half : 0.5F - beyond_half;
+    }
+
     /// Mean share where the edge is blurred: a ramp `width` wide about s = 0, as the penumbra of an even
     /// lamp; the exact share for width 0.
     float ramp(float s, float width) const {

@@ -56,19 +56,20 @@ Things all_things(const Scene& scene) {
     return things;
 }
 
-ViewLimits::ViewLimits(const RayTable& rays)
+ViewLimits::ViewLimits(const RayTable& rays) : ViewLimits(rays, 0, rays.camera().height - 1) {}
+
+ViewLimits::ViewLimits(const RayTable& rays, int first, int last)
     : left(std::numeric_limits<double>::infinity()), top(left), right(-left), bottom(-left) {
     const int width = rays.camera().width;
-    const int height = rays.camera().height;
     const auto take = [&](const RowRays& row, int u) {
         left = std::min(left, static_cast<double>(row.x[u]));
         right = std::max(right, static_cast<double>(row.x[u]));
         top = std::min(top, static_cast<double>(row.y[u]));
         bottom = std::max(bottom, static_cast<double>(row.y[u]));
     };
-    for (int v = 0; v < height; ++v) {
+    for (int v = first; v <= last; ++v) {
         const RowRays row = rays.row(v);
-        if (v == 0 || v == height - 1)
+        if (v == first || v == last)
             for (int u = 0; u < width; ++u) take(row, u);
         take(row, 0);
         take(row, width - 1);
@@ -82,6 +83,11 @@ ViewLimits::ViewLimits(const RayTable& rays)
 }
 
 Things things_in_view(const Scene& scene, const ViewLimits& limits, const CameraMotion& camera,
+                      double seconds) {
+    return things_in_view(all_things(scene), limits, camera, seconds);
+}
+
+Things things_in_view(const Things& all, const ViewLimits& limits, const CameraMotion& camera,
                       double seconds) {
     const Eigen::Isometry3d T_CW = camera.T_WC.inverse();
     // Planes through the camera's centre, their normals into the view.
@@ -98,11 +104,11 @@ Things things_in_view(const Scene& scene, const ViewLimits& limits, const Camera
                            [&](const Vector3d& side) { return side.dot(centre) > -reach; });
     };
     Things things;
-    for (const Panel& panel : scene.panels)
-        if (in_view(panel)) things.panels.push_back(&panel);
-    for (const Tube& tube : scene.tubes)
-        if (in_view(tube)) things.tubes.push_back(&tube);
-    if (in_view(scene.ball)) things.ball = &scene.ball;
+    for (const Panel* panel : all.panels)
+        if (in_view(*panel)) things.panels.push_back(panel);
+    for (const Tube* tube : all.tubes)
+        if (in_view(*tube)) things.tubes.push_back(tube);
+    if (all.ball != nullptr && in_view(*all.ball)) things.ball = all.ball;
     return things;
 }
 

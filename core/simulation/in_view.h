@@ -20,12 +20,18 @@ Things all_things(const Scene& scene);
 /// How far the image reaches, as rays (x, y, 1).
 struct ViewLimits {
     explicit ViewLimits(const RayTable& rays);
+    /// Of some of its rows, both included.
+    ViewLimits(const RayTable& rays, int first, int last);
     double left, top, right, bottom;
 };
 
 /// All that can come into view within `seconds` before and after the middle of a movement, and perhaps a
 /// little more.
 Things things_in_view(const Scene& scene, const ViewLimits& limits, const CameraMotion& camera,
+                      double seconds);
+
+/// Those of `things`, likewise.
+Things things_in_view(const Things& things, const ViewLimits& limits, const CameraMotion& camera,
                       double seconds);
 
 /// From a point to the nearest of them [m]; 0 within one.

@@ -45,6 +45,9 @@ class Light {
         const float lit = cosine_to_lamps > 0.0F ? ambient_ + directional_ * cosine_to_lamps : ambient_;
         return lit * (1.0F - limb_darkening_ * (1.0F - towards_camera));
     }
+    float ambient() const { return ambient_; }
+    float directional() const { return directional_; }
+    float limb_darkening() const { return limb_darkening_; }
     const Eigen::Vector3d& lamps() const { return lamps_; }
 
     /// Whether things keep the lamps' light from the ground.

@@ -1,5 +1,7 @@
 #include "core/simulation/objects.h"
 
+#include "core/simulation/vectorised.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -58,12 +60,31 @@ class SeenPanel : public SeenObject {
           colour_(colour),
           inside_(static_cast<std::size_t>(box.right + 1)) {}
 
-    void paint(const RowRays& rays, const LightRow& out) override {
+    Columns columns(const RowRays& rays) const override { return columns_inside(edges_, rays); }
+
+    Columns filled(const RowRays& rays) const override {
+        return rays.straight ? columns_between(edges_, rays, -2.0F) : Columns{0, -1};
+    }
+
+    void paint(const RowRays& rays, Columns columns, const LightRow& out) override {
+        Columns full = filled(rays);
+        if (full.first > full.last) {
+            paint_cut(rays, columns, out);
+            return;
+        }
+        paint_cut(rays, {columns.first, full.first - 1}, out);
+        std::fill(out.r + full.first, out.r + full.last + 1, colour_.r);
+        std::fill(out.g + full.first, out.g + full.last + 1, colour_.g);
+        std::fill(out.b + full.first, out.b + full.last + 1, colour_.b);
+        paint_cut(rays, {full.last + 1, columns.last}, out);
+    }
+
+  private:
+    void paint_cut(const RowRays& rays, Columns columns, const LightRow& out) {
         const float* x = rays.x;
         const float* y = rays.y;
         const EdgePlane e0 = edges_[0], e1 = edges_[1], e2 = edges_[2], e3 = edges_[3];
         float* inside = inside_.data();
-        const Columns columns = columns_inside(edges_, rays);
         for (int u = columns.first; u <= columns.last; ++u) {
             const float a = std::min(e0.distance(x[u], y[u]), e1.distance(x[u], y[u]));
             const float b = std::min(e2.distance(x[u], y[u]), e3.distance(x[u], y[u]));
@@ -80,7 +101,6 @@ class SeenPanel : public SeenObject {
         }
     }
 
-  private:
     std::array<EdgePlane, 4> edges_;
     Rgb colour_;
     std::vector<float> inside_;  // px, of the row being painted
@@ -106,7 +126,10 @@ class SeenTube : public SeenObject {
         const Vector3d ahead = base - base.dot(axis) * axis;
         ahead_ = ahead.cast<float>();
         camera_along_ = static_cast<float>(-base.dot(axis));
-        lamps_ = (R_CW * light.lamps()).cast<float>();
+        const Vector3d lamps = R_CW * light.lamps();
+        lamps_ = lamps.cast<float>();
+        lamps_along_ = static_cast<float>(axis.dot(lamps));
+        lamps_aside_ = lamps.cross(axis).cast<float>();
         // The end that shows its disc, if any: 0 none, −1 the base, +1 the top.
         shown_end_ = camera_along_ < 0.0F ? -1 : camera_along_ > length_ ? 1 : 0;
         const Vector3d end = shown_end_ > 0 ? Vector3d(base + tube.cylinder.length * axis) : base;
@@ -114,35 +137,106 @@ class SeenTube : public SeenObject {
         end_light_ = static_cast<float>(light.flat(static_cast<double>(shown_end_) * tube.cylinder.axis));
     }
 
-    void paint(const RowRays& rays, const LightRow& out) override {
-        const float* x = rays.x;
-        const float* y = rays.y;
-        const Columns columns = columns_inside(sides_, rays);
-        for (int u = columns.first; u <= columns.last; ++u) {
-            const float l = sides_[0].distance(x[u], y[u]);
-            const float r = sides_[1].distance(x[u], y[u]);
-            if (l <= -1.0F || r <= -1.0F) continue;
-            const Vector3f ray(x[u], y[u], 1.0F);
-            const float between =
-                l >= 1.0F && r >= 1.0F ? 1.0F : strip_coverage(sides_[0].coverage(l), sides_[1].coverage(r));
-            const Painted side = side_at(ray, between);
-            bool rim_before_end = false;
-            const Painted end = shown_end_ != 0 ? end_at(ray, rim_before_end) : Painted{};
-            // Side and end take different parts of a pixel: neither lies over the other, and where they meet
-            // they leave none of it.
-            float share = side.share + end.share;
-            if (share <= 0.0F) continue;
-            const float light = (side.share * side.light + end.share * end.light) / share;
-            if (rim_before_end && end.share > 0.0F) share = std::max(share, between);
-            out.blend(u, light * colour_, std::min(1.0F, share));
-        }
+    Columns columns(const RowRays& rays) const override { return columns_inside(sides_, rays); }
+
+    void paint(const RowRays& rays, Columns columns, const LightRow& out) override {
+        for (int first = columns.first; first <= columns.last; first += most_at_once)
+            paint_some(rays, first, std::min(most_at_once, columns.last - first + 1), out);
     }
 
   private:
+    static constexpr int most_at_once = 128;
+
     struct Painted {
         float share = 0.0F;  // of the pixel
         float light = 0.0F;  // factor of the colour
     };
+
+    /// `count` pixels from column `first` on.
+    GOALMOUTH_VECTORISED void paint_some(const RowRays& rays, int first, int count,
+                                         const LightRow& out) const {
+        const float* x = rays.x + first;
+        const float* y = rays.y + first;
+        float share[most_at_once];
+        float light[most_at_once];
+        std::int32_t rest[most_at_once];  // 1: left to paint_cut()
+        const EdgePlane left = sides_[0], right = sides_[1];
+        const float lx = left.nx, ly = left.ny, lz = left.nz;
+        const float rx = right.nx, ry = right.ny, rz = right.nz;
+        const float ax = axis_.x(), ay = axis_.y(), az = axis_.z();
+        const float ox = lateral_.x(), oy = lateral_.y(), oz = lateral_.z();
+        const float fx = ahead_.x(), fy = ahead_.y(), fz = ahead_.z();
+        const float mx = lamps_.x(), my = lamps_.y(), mz = lamps_.z();
+        const float sx = lamps_aside_.x(), sy = lamps_aside_.y(), sz = lamps_aside_.z();
+        const float along_lamps = lamps_along_;
+        const float radius = radius_, per_radius = 1.0F / radius_, length = length_, base = camera_along_;
+        const float pixel = pixel_u_ + pixel_v_;
+        const float ambient = light_.ambient(), directional = light_.directional();
+        const float limb = light_.limb_darkening();
+        const EdgeCoverage left_cut = left.coverage, right_cut = right.coverage;
+        int rests = 0;
+        for (int i = 0; i < count; ++i) {
+            const float dx = x[i];
+            const float dy = y[i];
+            const float l = lx * dx + ly * dy + lz;
+            const float r = rx * dx + ry * dy + rz;
+            const float between = left_cut.branchless(l) + right_cut.branchless(r) - 1.0F;
+            const float along = ax * dx + ay * dy + az;
+            const float across2 = dx * dx + dy * dy + 1.0F - along * along;
+            const float per_across = 1.0F / std::sqrt(across2 > 1e-12F ? across2 : 1e-12F);
+            const float ahead = (fx * dx + fy * dy + fz) * per_across;
+            float sine = (ox * dx + oy * dy + oz) * per_across * per_radius;
+            sine = sine < -1.0F ? -1.0F : sine;
+            sine = sine > 1.0F ? 1.0F : sine;
+            const float cosine = std::sqrt(1.0F - sine * sine);
+            const float way = ahead - radius * cosine;
+            const float slope = along * per_across;
+            const float height = way * slope + base;
+            const float reach = way * pixel * (1.0F + slope * slope) * per_across;
+            const float from_end = std::min(height, length - height);
+            const float ahead_lamps = (mx * dx + my * dy + mz - along * along_lamps) * per_across;
+            const float aside_lamps = (sx * dx + sy * dy + sz) * per_across;
+            const float facing = -cosine * ahead_lamps - sine * aside_lamps;
+            light[i] =
+                (ambient + directional * (facing > 0.0F ? facing : 0.0F)) * (1.0F - limb * (1.0F - cosine));
+            const bool clear = (ahead > 0.0F) & (from_end >= reach);
+            share[i] = (between > 0.0F) & clear ? between : 0.0F;
+            const int left_over = !clear & (l > -1.0F) & (r > -1.0F) ? 1 : 0;
+            rest[i] = left_over;
+            rests += left_over;
+        }
+        if (rests > 0)
+            for (int i = 0; i < count; ++i)
+                if (rest[i] != 0) paint_cut(x[i], y[i], share[i], light[i]);
+        float* __restrict red = out.r + first;
+        float* __restrict green = out.g + first;
+        float* __restrict blue = out.b + first;
+        const Rgb colour = colour_;
+        for (int i = 0; i < count; ++i) red[i] += share[i] * (light[i] * colour.r - red[i]);
+        for (int i = 0; i < count; ++i) green[i] += share[i] * (light[i] * colour.g - green[i]);
+        for (int i = 0; i < count; ++i) blue[i] += share[i] * (light[i] * colour.b - blue[i]);
+    }
+
+    /// A pixel that a side or an end cuts, or in which an end shows.
+    void paint_cut(float x, float y, float& share, float& light) const {
+        const Vector3f ray(x, y, 1.0F);
+        const float l = sides_[0].distance(x, y);
+        const float r = sides_[1].distance(x, y);
+        const float between = strip_coverage(sides_[0].coverage(l), sides_[1].coverage(r));
+        const Painted side = side_at(ray, between);
+        bool rim_before_end = false;
+        const Painted end = shown_end_ != 0 ? end_at(ray, rim_before_end) : Painted{};
+        // Side and end take different parts of a pixel: neither lies over the other, and where they meet
+        // they leave none of it.
+        share = side.share + end.share;
+        if (share <= 0.0F) {
+            share = 0.0F;
+            return;
+        }
+        light = (side.share * side.light + end.share * end.light) / share;
+        if (rim_before_end && end.share > 0.0F) share = std::max(share, between);
+        share = std::min(1.0F, share);
+    }
 
     /// Where the ray meets the side, in the plane across the axis: written with the ray's offset from the
     /// axis, which is linear in the ray, because the textbook discriminant loses a thin far post to
@@ -198,7 +292,9 @@ class SeenTube : public SeenObject {
     Rgb colour_;
     float radius_, length_, pixel_u_, pixel_v_;
     Vector3f axis_, lateral_, ahead_, lamps_, end_;
-    float camera_along_;  // m, camera centre along the axis from the base
+    float lamps_along_;     // part of lamps_ along the axis
+    Vector3f lamps_aside_;  // a ray's product with it: part of lamps_ square to the axis and the ray
+    float camera_along_;    // m, camera centre along the axis from the base
     int shown_end_;
     float end_light_;
 };
@@ -218,10 +314,12 @@ class SeenBall : public SeenObject {
           pixel_v_(static_cast<float>(1.0 / camera.fy)),
           lamps_(lamps.cast<float>()) {}
 
-    void paint(const RowRays& rays, const LightRow& out) override {
+    Columns columns(const RowRays&) const override { return {box().left, box().right}; }
+
+    void paint(const RowRays& rays, Columns columns, const LightRow& out) override {
         const float* x = rays.x;
         const float* y = rays.y;
-        for (int u = box().left; u <= box().right; ++u) {
+        for (int u = columns.first; u <= columns.last; ++u) {
             const Vector3f ray(x[u], y[u], 1.0F);
             const float length = ray.norm();
             const Vector3f d = ray / length;
@@ -268,6 +366,11 @@ SeenObject::SeenObject(const PixelBox& box, const SeenBody& body)
 
 SeenObject::Columns SeenObject::columns_inside(std::span<const EdgePlane> edges, const RowRays& rays) const {
     if (!rays.straight || box_.left == box_.right) return {box_.left, box_.right};
+    return columns_between(edges, rays, 1.5F);
+}
+
+SeenObject::Columns SeenObject::columns_between(std::span<const EdgePlane> edges, const RowRays& rays,
+                                                float margin) const {
     const float* x = rays.x;
     const float* y = rays.y;
     const auto width = static_cast<float>(box_.right - box_.left);
@@ -275,8 +378,8 @@ SeenObject::Columns SeenObject::columns_inside(std::span<const EdgePlane> edges,
     float last = width;
     for (const EdgePlane& e : edges) {
         // The distance grows evenly along a row.
-        const float start = e.distance(x[box_.left], y[box_.left]) + 1.5F;
-        const float end = e.distance(x[box_.right], y[box_.right]) + 1.5F;
+        const float start = e.distance(x[box_.left], y[box_.left]) + margin;
+        const float end = e.distance(x[box_.right], y[box_.right]) + margin;
         if (start < 0.0F && end < 0.0F) return {0, -1};
         const float crossing = width * start / (start - end);
         if (start < 0.0F) first = std::max(first, crossing);
@@ -289,7 +392,7 @@ EdgePlane::EdgePlane(const Vector3d& normal, const Intrinsics& camera)
     : nx(0), ny(0), nz(0), coverage(0.0F, 0.0F) {
     const double gu = normal.x() / camera.fx;
     const double gv = normal.y() / camera.fy;
-    const double scale = 1.0 / std::max(1e-12, std::hypot(gu, gv));
+    const double scale = 1.0 / std::max(1e-12, std::sqrt(gu * gu + gv * gv));
     nx = static_cast<float>(scale * normal.x());
     ny = static_cast<float>(scale * normal.y());
     nz = static_cast<float>(scale * normal.z());

@@ -46,15 +46,27 @@ class SeenObject {
     const SeenBody& body() const { return body_; }
     /// From the camera to the nearest point of the body's axis [m].
     double distance() const { return distance_; }
-    virtual void paint(const RowRays& rays, const LightRow& out) = 0;
 
-  protected:
-    /// Columns of a row within 1.5 px of the positive side of all `edges`, as first and last, within the box;
-    /// where edges are curves in the image, the whole box.
+    /// First and last; none where first > last.
     struct Columns {
         int first, last;
     };
+    /// Those of a row of its box that it can touch. Where rays are evenly spaced, only those of the box's
+    /// first and last column are read.
+    virtual Columns columns(const RowRays& rays) const = 0;
+    /// Those that it covers fully, at least where it is large; only the same rays are read.
+    virtual Columns filled(const RowRays&) const { return {0, -1}; }
+    /// A row of the box; only the rays of its `columns` are read.
+    virtual void paint(const RowRays& rays, Columns columns, const LightRow& out) = 0;
+    void paint(const RowRays& rays, const LightRow& out) { paint(rays, columns(rays), out); }
+
+  protected:
+    /// Columns of a row within 1.5 px of the positive side of all `edges`, within the box; where edges are
+    /// curves in the image, the whole box.
     Columns columns_inside(std::span<const EdgePlane> edges, const RowRays& rays) const;
+    /// Of the box's columns, those more than −`margin` px on the positive side of all `edges`, and up to one
+    /// more on either side; evenly spaced rays.
+    Columns columns_between(std::span<const EdgePlane> edges, const RowRays& rays, float margin) const;
 
   private:
     PixelBox box_;

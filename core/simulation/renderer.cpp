@@ -51,15 +51,23 @@ void Renderer::render(const Shot& shot, Random& random, std::uint8_t* out, std::
 void Renderer::paint_still(const Eigen::Isometry3d& T_WC) {
     views_.resize(1);
     views_[0].look(all_things(scene_), light_, rays_, T_WC);
-    ground_.look(T_WC);
     for (int row = 0; row < camera().height; ++row) {
-        const LightRow light = sensor_.next_row();
         const RowRays rays = rays_.row(row);
-        ground_.paint(rays, light);
-        views_[0].paint(row, rays, light);
+        views_[0].begin_row(row, rays, nullptr);
+        paint_row(views_[0], rays, T_WC, sensor_.next_row());
         sensor_.finish_row();
     }
     views_.clear();
+}
+
+void Renderer::paint_row(View& view, const RowRays& rays, const Eigen::Isometry3d& T_WC,
+                         const LightRow& light) {
+    ground_.look(T_WC);
+    for (const SeenObject::Columns& open : view.uncovered())
+        ground_.paint(
+            {rays.x + open.first, rays.y + open.first, rays.straight},
+            {light.r + open.first, light.g + open.first, light.b + open.first, open.last - open.first + 1});
+    view.paint(light);
 }
 
 void Renderer::paint_moving(const CameraMotion& motion) {
@@ -77,8 +85,12 @@ void Renderer::paint_moving(const CameraMotion& motion) {
     for (int first = 0; first < height; first += sampling.band_rows) {
         const int last = std::min(first + sampling.band_rows, height) - 1;
         const double middle = 0.5 * (first + last);
+        const double centre = row_time(shutter_, middle, height);
+        const Things in_band = things_in_view(
+            things, ViewLimits(rays_, first, last), {motion.at(centre), motion.velocity, motion.turn_rate},
+            row_time(shutter_, last, height) - centre + 0.5 * shutter_.exposure);
         for (int k = 0; k < samples; ++k)
-            views_[static_cast<std::size_t>(k)].look(things, light_, rays_, motion.at(instant(middle, k)));
+            views_[static_cast<std::size_t>(k)].look(in_band, light_, rays_, motion.at(instant(middle, k)));
         const bool as_set_up = first == last || shutter_.readout == 0.0;
         for (int row = first; row <= last; ++row) {
             const LightRow sum = sensor_.next_row();
@@ -87,12 +99,8 @@ void Renderer::paint_moving(const CameraMotion& motion) {
                 View& view = views_[static_cast<std::size_t>(k)];
                 const LightRow light = k == 0 ? sum : sample_row();
                 const Eigen::Isometry3d T_WC = as_set_up ? view.T_WC() : motion.at(instant(row, k));
-                ground_.look(T_WC);
-                ground_.paint(rays, light);
-                if (as_set_up)
-                    view.paint(row, rays, light);
-                else
-                    view.paint(row, rays, T_WC, light);
+                view.begin_row(row, rays, as_set_up ? nullptr : &T_WC);
+                paint_row(view, rays, T_WC, light);
                 if (k > 0) add(light, sum);
             }
             if (samples > 1) scale(sum, 1.0F / static_cast<float>(samples));

@@ -53,6 +53,8 @@ class Renderer {
   private:
     void paint_still(const Eigen::Isometry3d& T_WC);
     void paint_moving(const CameraMotion& motion);
+    /// `T_WC`: of the row; what of it the view leaves open is ground.
+    void paint_row(View& view, const RowRays& rays, const Eigen::Isometry3d& T_WC, const LightRow& light);
     LightRow sample_row();
 
     Scene scene_;

@@ -78,25 +78,75 @@ void View::look(const Things& things, const Light& light, const RayTable& rays,
     solid_.clear();
 }
 
-void View::paint(int row, const RowRays& rays, const LightRow& out) {
-    for (const Seen& seen : seen_)
-        if (row >= seen.object->box().top && row <= seen.object->box().bottom) seen.object->paint(rays, out);
-}
-
-void View::paint(int row, const RowRays& rays, const Eigen::Isometry3d& T_WC_row, const LightRow& out) {
-    const Eigen::Matrix3d R_WC = T_WC_.linear();
-    const Matrix3f turn = (R_WC.transpose() * T_WC_row.linear()).cast<float>();
-    const Vector3f shift = (R_WC.transpose() * (T_WC_row.translation() - T_WC_.translation())).cast<float>();
+void View::begin_row(int row, const RowRays& rays, const Eigen::Isometry3d* T_WC_row) {
+    rays_ = rays;
+    turned_ = T_WC_row != nullptr;
+    crossings_.clear();
+    Matrix3f turn = Matrix3f::Identity();
+    Vector3f shift = Vector3f::Zero();
+    if (turned_) {
+        const Eigen::Matrix3d R_CW = T_WC_.linear().transpose();
+        turn = (R_CW * T_WC_row->linear()).cast<float>();
+        shift = (R_CW * (T_WC_row->translation() - T_WC_.translation())).cast<float>();
+    }
     for (const Seen& seen : seen_) {
         const PixelBox& box = seen.object->box();
         if (row < box.top || row > box.bottom) continue;
-        // The row's ray t·d from `shift` meets the plane where m·(shift + t·turn·d) = 1.
-        const float clear = 1.0F - seen.plane.dot(shift);
-        if (!(clear > 0.0F)) continue;
-        const Matrix3f H = turn + shift / clear * (seen.plane.transpose() * turn);
-        turn_rays(H, rays, box.left, box.right, x_.data(), y_.data());
+        Crossing crossing{&seen, {0, -1}, {0, -1}, turn};
+        if (turned_) {
+            // The row's ray t·d from `shift` meets the plane where m·(shift + t·turn·d) = 1.
+            const float clear = 1.0F - seen.plane.dot(shift);
+            if (!(clear > 0.0F)) continue;
+            crossing.turn += shift / clear * (seen.plane.transpose() * turn);
+            if (rays.straight) {
+                this->turn(crossing.turn, box.left, box.left);
+                this->turn(crossing.turn, box.right, box.right);
+            } else {
+                this->turn(crossing.turn, box.left, box.right);
+            }
+        }
+        const RowRays seen_rays = turned_ ? RowRays{x_.data(), y_.data(), rays.straight} : rays;
+        crossing.columns = seen.object->columns(seen_rays);
+        if (crossing.columns.first > crossing.columns.last) continue;
+        crossing.filled = seen.object->filled(seen_rays);
+        crossings_.push_back(crossing);
+    }
+    find_uncovered();
+}
+
+void View::turn(const Matrix3f& H, int first, int last) {
+    turn_rays(H, rays_, first, last, x_.data(), y_.data());
+}
+
+void View::find_uncovered() {
+    filled_.clear();
+    for (const Crossing& crossing : crossings_)
+        if (crossing.filled.first <= crossing.filled.last) filled_.push_back(crossing.filled);
+    std::sort(filled_.begin(), filled_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    uncovered_.clear();
+    int next = 0;
+    const int end = static_cast<int>(x_.size());
+    for (const auto& filled : filled_) {
+        if (filled.first > next) uncovered_.push_back({next, filled.first - 1});
+        next = std::max(next, filled.last + 1);
+    }
+    if (next < end) uncovered_.push_back({next, end - 1});
+}
+
+void View::paint(const LightRow& out) {
+    for (auto crossing = crossings_.begin(); crossing != crossings_.end(); ++crossing) {
+        const SeenObject::Columns& columns = crossing->columns;
+        const bool hidden = std::any_of(crossing + 1, crossings_.end(), [&](const Crossing& nearer) {
+            return nearer.filled.first <= columns.first && nearer.filled.last >= columns.last;
+        });
+        if (hidden) continue;
+        if (!turned_) {
+            crossing->seen->object->paint(rays_, columns, out);
+            continue;
+        }
         // Moved by so little, evenly spaced rays stay as good as evenly spaced.
-        seen.object->paint({x_.data(), y_.data(), rays.straight}, out);
+        turn(crossing->turn, columns.first, columns.last);
+        crossing->seen->object->paint(RowRays{x_.data(), y_.data(), rays_.straight}, columns, out);
     }
 }
 
