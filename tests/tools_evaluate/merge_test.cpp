@@ -1,5 +1,10 @@
+#include "core/imaging/colour_table_file.h"
+#include "core/imaging/file_error.h"
+#include "tests/support/files.h"
 #include "tests/tools_evaluate/evaluate_command.h"
+#include "tools/evaluate/file_hash.h"
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <utility>
@@ -98,6 +103,40 @@ TEST_F(Merge, RefusesPartsOfAnotherWhole) {
     j["version"] = "0.0.0";
     write("other.json", j.dump());
     EXPECT_THAT(refused({shards[0], path("other.json")}), HasSubstr("version"));
+}
+
+TEST_F(Merge, RefusesAnotherColourTableOfTheSameName) {
+    std::filesystem::create_directory(path("elsewhere"));
+    ColourTable table(5, "mine");
+    save_colour_table(table, path("mine.gmct"));
+    const auto part = [&](const std::string& name, const std::string& shard, const std::string& colours) {
+        ASSERT_EQ(small_paper(name, {"--shard", shard, "--colours", path(colours)}), 0);
+    };
+    part("a.json", "1/2", "mine.gmct");
+    save_colour_table(table, path("elsewhere/mine.gmct"));
+    part("b.json", "2/2", "elsewhere/mine.gmct");
+    EXPECT_EQ(merge({path("a.json"), path("b.json")}, "both.json"), 0) << "the same content elsewhere";
+    table.set({128, 60, 200}, Colour::goal);
+    save_colour_table(table, path("elsewhere/mine.gmct"));
+    part("b.json", "2/2", "elsewhere/mine.gmct");
+    const std::string said = refused({path("a.json"), path("b.json")});
+    EXPECT_THAT(said, HasSubstr("b.json"));
+    EXPECT_THAT(said, HasSubstr("settings"));
+}
+
+TEST_F(Merge, KnowsTheContentOfTheGraphsColourTables) {
+    const Json settings = json("1.json")["settings"]["detectors"]["ransac"]["segmentation"];
+    EXPECT_EQ(settings["colours"], "simulator.gmct");
+    EXPECT_EQ(settings["colours.fnv1a"].get<std::string>().size(), 16U);
+}
+
+TEST(FileHash, IsFnv1a) {
+    const test::TemporaryFolder folder;
+    test::write_text(folder.path() / "a", "a");
+    test::write_text(folder.path() / "foobar", "foobar");
+    EXPECT_EQ(file_hash(folder.path() / "a"), "af63dc4c8601ec8c");
+    EXPECT_EQ(file_hash(folder.path() / "foobar"), "85944171f73967e8");
+    EXPECT_THROW(file_hash(folder.path() / "missing"), FileError);
 }
 
 TEST_F(Merge, NamesTheFileThatIsNoResult) {

@@ -3,7 +3,7 @@
 #include "core/process/configuration.h"
 #include "tests/support/data.h"
 #include "tests/support/files.h"
-#include "tests/tools_evaluate_report/well_formed.h"
+#include "tests/support/well_formed.h"
 
 #include <limits>
 #include <regex>
@@ -102,6 +102,17 @@ TEST(HtmlPage, ListsItsSections) {
     EXPECT_THAT(html, HasSubstr("<a href=\"#worst-failures-ransac-2\">"));
     EXPECT_THAT(HtmlPage("t", "").section("only one").html(), Not(HasSubstr("<nav")));
     EXPECT_THAT(HtmlPage("t", "").section("any", "chosen").html(), HasSubstr("<h2 id=\"chosen\">"));
+}
+
+TEST(HtmlPage, LetsAPictureOfAGridBeSeenLarge) {
+    PagePicture picture = page_picture(cv::Mat(4, 4, CV_8UC3, cv::Scalar::all(9)), "caption");
+    picture.hint = "frame <7>";
+    const std::string html = HtmlPage("t", "").pictures({picture, picture}).picture(picture).html();
+    EXPECT_EQ(test::count(html, "<label class=\"zoom\"><input type=\"checkbox\""), 2u);
+    EXPECT_EQ(test::count(html, "<figure><img "), 1u) << "alone it is large as it is";
+    EXPECT_EQ(test::count(html, " title=\"frame &lt;7&gt;\""), 3u);
+    EXPECT_THAT(html, HasSubstr(".zoom input:checked + img"));
+    EXPECT_THAT(html, Not(HasSubstr("decoding=\"async\""))) << "pictures would be missing in print";
 }
 
 TEST(HtmlPage, RefusesASectionInsideDetails) {

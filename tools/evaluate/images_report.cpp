@@ -6,6 +6,7 @@
 #include "tools/evaluate/report/figure.h"
 #include "tools/evaluate/report/html_page.h"
 #include "tools/evaluate/report/report_folder.h"
+#include "tools/evaluate/scored_overlay.h"
 #include "tools/goalmouth/output.h"
 #include "tools/goalmouth/overlay.h"
 
@@ -15,48 +16,10 @@
 #include <map>
 #include <set>
 
-#include <opencv2/imgproc.hpp>
-
 namespace goalmouth {
 namespace {
 
 namespace fs = std::filesystem;
-
-// BGR
-const cv::Scalar shade(0, 0, 0);
-const cv::Scalar truth_found(255, 255, 255);
-const cv::Scalar truth_missed(0, 165, 255);
-const cv::Scalar right_colour(60, 220, 60);
-const cv::Scalar wrong_colour(60, 60, 255);
-const cv::Scalar ignored_colour(190, 190, 190);
-
-constexpr int fraction_bits = 4;
-
-struct Outline {
-    Eigen::Vector2d left_top, left_base, right_top, right_base;
-};
-
-cv::Point fixed(const Eigen::Vector2d& p) {
-    const auto coordinate = [](double v) {
-        return static_cast<int>(std::lround(std::clamp(v, -1e5, 1e5) * (1 << fraction_bits)));
-    };
-    return {coordinate(p.x()), coordinate(p.y())};
-}
-
-void draw_outline(cv::Mat& picture, const Outline& o, const cv::Scalar& colour, double width) {
-    const double scale = std::max(1.0, picture.cols / 640.0);
-    for (const bool under : {true, false}) {
-        const int thick = std::max(1, static_cast<int>(std::lround((under ? width + 2.0 : width) * scale)));
-        const cv::Scalar& ink = under ? shade : colour;
-        const auto edge = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-            cv::line(picture, fixed(a), fixed(b), ink, thick, cv::LINE_AA, fraction_bits);
-        };
-        edge(o.left_top, o.left_base);
-        edge(o.right_top, o.right_base);
-        edge(o.left_base, o.right_base);
-        edge(o.left_top, o.right_top);
-    }
-}
 
 std::string caption_of(const ScoredPicture& picture) {
     return fmt::format("{} · {}: {} found, {} missed, {} wrong",
@@ -202,20 +165,7 @@ std::string colours_sentence(const ImagesOptions& options) {
 void draw_scored_picture(cv::Mat& picture, const ScoredPicture& scored) {
     draw_candidates(picture, scored.result.candidates);
     draw_border(picture, scored.result.border);
-    for (std::size_t i = 0; i < scored.truth.size(); ++i) {
-        const ReferencePost& t = scored.truth[i];
-        const bool found = scored.matching.found[i].has_value();
-        draw_outline(picture, {t.left_top, t.left_base, t.right_top, t.right_base},
-                     found ? truth_found : truth_missed, found ? 1.0 : 2.0);
-    }
-    for (std::size_t i = 0; i < scored.result.posts.size(); ++i) {
-        const Post& p = scored.result.posts[i];
-        const Verdict verdict = scored.matching.verdicts[i];
-        const cv::Scalar& colour = verdict == Verdict::found     ? right_colour
-                                   : verdict == Verdict::ignored ? ignored_colour
-                                                                 : wrong_colour;
-        draw_outline(picture, {p.left_top, p.left_base, p.right_top, p.right_base}, colour, 1.0);
-    }
+    draw_scored_posts(picture, scored.truth, scored.result.posts, scored.matching);
 }
 
 void write_images_report(const ImagesResult& result, const fs::path& target) {
@@ -249,9 +199,9 @@ void write_images_report(const ImagesResult& result, const fs::path& target) {
     const Overlays overlays(result, folder);
     page.section("Failures");
     page.paragraph(
-        "White: an annotated post that was found; orange: one that was missed. Green: a detection that is "
-        "right; red: one that is wrong; grey: ignored. Blue: the field's border. All pictures lie in "
-        "overlays/ beside this page.");
+        std::string(scored_legend) +
+        " Blue: the field's border. All pictures lie in overlays/ beside this page; a click on one "
+        "here shows it large, another one closes it.");
     for (const ImageSetResult& set : result.sets) {
         for (const std::string& detector : result.options.detectors) {
             const std::vector<PagePicture> pictures = overlays.failures(set.set, detector);

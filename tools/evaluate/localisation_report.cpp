@@ -98,17 +98,18 @@ Table reduction_table(const DetectorComparison& c) {
     return table;
 }
 
-/// "… falls short of the paper's 18 % by 3.1 points".
+/// By how much figures fall short of the paper's.
 std::vector<std::string> verdicts(const DetectorComparison& c) {
     std::vector<std::string> sentences;
     for (const NamedReduction& r : reductions) {
-        const Reduction& value = c.*r.value;
+        const double value = (c.*r.value).value;
         const double wanted = papers(r);
-        sentences.push_back(fmt::format(
-            "{}: {:.1f} %, which {} the paper's {:.0f} %{}.", r.name, 100.0 * value.value,
-            value.value >= wanted ? "reaches" : "falls short of", 100.0 * wanted,
-            value.value >= wanted ? "" : fmt::format(" by {:.1f} points", 100.0 * (wanted - value.value))));
+        if (value < wanted)
+            sentences.push_back(
+                fmt::format("{}: {:.1f} % falls short of the paper's {:.0f} % by {:.1f} points.", r.name,
+                            100.0 * value, 100.0 * wanted, 100.0 * (wanted - value)));
     }
+    if (sentences.empty()) sentences.emplace_back("None falls short of the paper's.");
     return sentences;
 }
 

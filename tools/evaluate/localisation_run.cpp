@@ -2,6 +2,7 @@
 
 #include "core/process/configuration.h"
 #include "core/simulation/route.h"
+#include "tools/evaluate/file_hash.h"
 #include "tools/evaluate/paper_settings.h"
 #include "tools/evaluate/parallel.h"
 #include "tools/goalmouth/image_chain.h"
@@ -172,6 +173,7 @@ nlohmann::json settings_json(const LocalisationOptions& options) {
     all["camera"] = as_json(options.camera);
     all["field"] = as_json(options.field);
     all["colours"] = options.colours.filename().string();
+    if (!options.colours.empty()) all[std::string("colours") + hash_suffix] = file_hash(options.colours);
     for (const LocalisationDetector& detector : options.detectors) {
         GraphOptions graph;
         graph.settings = detector.settings;

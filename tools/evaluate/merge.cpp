@@ -125,13 +125,20 @@ void add_evaluate_merge(CLI::App& evaluate, Action& action) {
         "merge", "Join what the shards of `goalmouth evaluate paper` or `localisation` gave");
     verb->add_option("SHARD", given->files, "JSON files of the shards, in any order")->required();
     verb->add_option("--json", given->json, "write the whole there");
-    verb->add_option("--report", given->report, "folder for a page with figures and worst failures");
-    verb->add_flag("--partial", given->partial, "also where frames are missing");
+    verb->add_option("--report", given->report, "folder for the page that the verb itself would have made");
+    verb->add_flag("--partial", given->partial, "also where frames or runs are missing");
     verb->footer(
-        "The result is that of a run that was never split. The report's pictures of failures are rendered "
-        "anew\nwith the files that the shards' command lines name; where those differ by now, it goes "
-        "without.\n"
-        "Exit code: 0 all went well, 2 a file is wrong or missing.");
+        "The result is that of a run that was never split; only the command line in it differs. Files that "
+        "hold the\nsame frames, or come from another version, seed, size, scene, detector, setting or colour "
+        "table, are refused.\nAt least one of --json and --report is needed. The report's pictures of "
+        "failures "
+        "are rendered anew with the\nfiles that the shards' command lines name; where those differ by now, "
+        "it "
+        "goes without.\n\n"
+        "Example, four parts of one run:\n"
+        "  for i in 1 2 3 4; do goalmouth evaluate paper --shard $i/4 --json part$i.json; done\n"
+        "  goalmouth evaluate merge part*.json --json paper.json --report paper\n\n"
+        "Exit code: 0 all went well, 2 the command line or a file is wrong or missing.");
     verb->callback([given, &action] {
         action = [given] {
             if (is_localisation(given->files.front()))

@@ -13,6 +13,7 @@
 #include "tools/goalmouth/output.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <iostream>
 #include <memory>
 #include <thread>
@@ -108,12 +109,15 @@ void add_evaluate_paper(CLI::App& evaluate, Action& action) {
     PaperOptions& options = given->options;
     CLI::App* verb = evaluate.add_subcommand(
         "paper", "The paper's experiment: 6 distances by 3 tilts, on frames rendered with known truth");
-    verb->add_option("--frames-per-cell", options.frames_per_cell, "frames at each distance and tilt")
+    verb->add_option("--frames-per-cell", options.frames_per_cell,
+                     "frames at each distance and tilt of each scene; the paper has 3600 in all")
         ->check(CLI::Range(1, most_frames_per_cell).description(""))
         ->capture_default_str();
-    verb->add_option("--size", options.size, "WIDTHxHEIGHT of the frames [px]")->capture_default_str();
+    verb->add_option("--size", options.size, "WIDTHxHEIGHT of the frames [px], of the calibration's shape")
+        ->capture_default_str();
     verb->add_option("--detectors", options.detectors,
-                     "graphs to compare: names in config/graphs or files, with commas between")
+                     "graphs to compare: names in config/graphs (histogram, ransac, tuned) or files, with "
+                     "commas between")
         ->capture_default_str();
     verb->add_option("--scene", options.scenes,
                      "flat, lit, clutter, match (config/evaluation) or files, with commas between")
@@ -126,17 +130,32 @@ void add_evaluate_paper(CLI::App& evaluate, Action& action) {
         ->capture_default_str();
     verb->add_option("--shard", given->shard,
                      "I/N: only every N-th frame, from the I-th; `goalmouth evaluate merge` joins the files");
-    verb->add_option("--set", options.settings, "PROCESS.KEY=VALUE: a parameter of every graph that has it")
+    verb->add_option("--set", options.settings,
+                     "PROCESS.KEY=VALUE: a parameter of every graph that has it; may be repeated")
         ->allow_extra_args(false);
-    verb->add_option("--field", options.field, "field description; else the KidSize field of 2013");
-    verb->add_option("--camera", options.camera, "calibration, scaled to the size; else the C905");
-    verb->add_option("--colours", options.colours, "colour table; else the graphs'");
+    verb->add_option("--field", options.field, "field description; else config/fields/kidsize_2013.yaml");
+    verb->add_option("--camera", options.camera,
+                     "calibration, scaled to the size; else config/cameras/c905.yaml");
+    verb->add_option("--colours", options.colours, "colour table for every graph; else each graph's own");
     verb->add_option("--json", given->task.json, "write the figures and every frame's record there");
-    verb->add_option("--report", given->task.report, "folder for a page with figures and worst failures");
-    verb->footer(
-        "At least one of --json and --report is needed. The same command gives the same files, bit for bit.\n"
-        "Ctrl-C ends after the frames in hand and writes what was done.\n"
-        "Exit code: 0 all went well, 2 the command line or a file is wrong, 130 interrupted.");
+    verb->add_option("--report", given->task.report,
+                     "folder for index.html with tables, figures (SVG and PNG too) and the worst failures");
+    verb->footer(fmt::format(
+        "A true post is detected where both edges of a detection lie within {:g} % of the post's width of "
+        "the "
+        "true edges,\nat a quarter and at three quarters of its visible length, and the detection covers at "
+        "least {:g} % of that length.\nAll other detections are false posts, but for those of posts that are "
+        "hidden or cut off too far to count.\nDistances are judged by the post in line [cm, estimate minus "
+        "truth], over every detection that means it.\n\n"
+        "At least one of --json and --report is needed; a table goes to standard output, progress to "
+        "standard "
+        "error.\nThe same command gives the same files, bit for bit. Ctrl-C ends after the frames in hand "
+        "and "
+        "writes what was done.\n\n"
+        "Example, the paper's 3600 frames:\n"
+        "  goalmouth evaluate paper --frames-per-cell 200 --json paper.json --report paper\n\n"
+        "Exit code: 0 all went well, 2 the command line or a file is wrong, 130 interrupted.",
+        100.0 * MatchingRule{}.fraction, 100.0 * MatchingRule{}.coverage));
     verb->callback([given, &action] {
         action = [given] {
             if (!given->shard.empty()) given->task.shard = parse_shard(given->shard, "--shard");

@@ -5,132 +5,25 @@
 #include "tools/evaluate/paper_facts.h"
 #include "tools/evaluate/paper_failures.h"
 #include "tools/evaluate/paper_figures.h"
+#include "tools/evaluate/paper_headline.h"
 #include "tools/evaluate/paper_rule.h"
 #include "tools/evaluate/paper_summary.h"
+#include "tools/evaluate/paper_tables.h"
 #include "tools/evaluate/report/figure.h"
 #include "tools/evaluate/report/html_page.h"
 #include "tools/evaluate/report/report_folder.h"
 #include "tools/evaluate/scored_overlay.h"
 #include "tools/evaluate/shard.h"
 
-#include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <optional>
 #include <set>
 
 namespace goalmouth {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-double centimetres(const std::optional<ErrorStatistics>& distance, double ErrorStatistics::*value) {
-    return distance ? 100.0 * (*distance).*value : nothing;
-}
-
-Cell percent(const Summary& summary) {
-    return Cell(summary.posts > 0 ? 100.0 * summary.detection_rate() : nothing, 1);
-}
-
-/// Calls f for each detector in each scene, scene by scene.
-template <class F>
-void for_each_pair(const PaperResult& result, F f) {
-    for (std::size_t s = 0; s < result.scenes.size(); ++s)
-        for (std::size_t d = 0; d < result.detectors.size(); ++d) f(d, s);
-}
-
 std::string title_of(const PaperResult& result, std::size_t detector, std::size_t scene) {
     return result.detectors[detector] + ", scene " + result.scenes[scene];
-}
-
-/// "histogram, scene flat: found 81.2 % of 6180 posts, with 0.31 false posts a frame; its distances are …"
-std::string sentence_of(const PaperResult& result, const RecordTable& table, std::size_t detector,
-                        std::size_t scene) {
-    int posts = 0;
-    int detected = 0;
-    int frames = 0;
-    int false_posts = 0;
-    std::string errors;
-    for (std::size_t t = 0; t < cell_tilts_deg.size(); ++t) {
-        const Summary tilt = table.tilt(detector, scene, t);
-        posts += tilt.posts;
-        detected += tilt.detected;
-        frames += tilt.frames;
-        false_posts += tilt.false_posts;
-        const double rmse = centimetres(tilt.in_line.distance, &ErrorStatistics::rmse);
-        errors += (t > 0 ? " / " : "") + (std::isfinite(rmse) ? fmt::format("{:.1f}", rmse) : "–");
-    }
-    if (frames == 0) return title_of(result, detector, scene) + ": no frame was done.";
-    std::string text = fmt::format(
-        "{}: {:.1f} % of {} posts found, {:.3f} false posts a frame; RMSE of the distance {} cm at 0 / 10 / "
-        "20° "
-        "of tilt",
-        title_of(result, detector, scene), posts > 0 ? 100.0 * detected / posts : 0.0, posts,
-        static_cast<double>(false_posts) / frames, errors);
-    const auto paper = paper_figures(result.detectors[detector]);
-    if (paper && paper->rmse_cm.front() && paper->rmse_cm.back())
-        text += fmt::format(" (paper, its own photographs: {} cm at 0° to {} cm at 20°, detection {})",
-                            *paper->rmse_cm.front(), *paper->rmse_cm.back(), paper->detection);
-    return text + ".";
-}
-
-Table tilt_table(const PaperResult& result, const RecordTable& table) {
-    Table t;
-    t.caption = "By tilt, all six distances together";
-    t.columns = {"detector", "scene",   "tilt °",        "frames",      "detected %", "false posts a frame",
-                 "RMSE cm",  "bias cm", "median |e| cm", "95 % |e| cm", "measured",   "paper's RMSE cm"};
-    t.groups = {{"", 4}, {"detection", 2}, {"distance of the post in line", 5}, {"paper", 1}};
-    for_each_pair(result, [&](std::size_t d, std::size_t s) {
-        const auto paper = paper_figures(result.detectors[d]);
-        for (std::size_t i = 0; i < cell_tilts_deg.size(); ++i) {
-            const Summary tilt = table.tilt(d, s, i);
-            const auto& distance = tilt.in_line.distance;
-            t.rows.push_back({result.detectors[d], result.scenes[s], Cell(cell_tilts_deg[i], 0),
-                              Cell(tilt.frames, 0), percent(tilt), Cell(tilt.false_per_frame(), 3),
-                              Cell(centimetres(distance, &ErrorStatistics::rmse), 2, Cell::Mark::strong),
-                              Cell(centimetres(distance, &ErrorStatistics::bias), 2),
-                              Cell(centimetres(distance, &ErrorStatistics::median_abs), 2),
-                              Cell(centimetres(distance, &ErrorStatistics::p95_abs), 2),
-                              Cell(tilt.in_line.measured, 0),
-                              Cell(paper ? paper->rmse_cm[i].value_or(nothing) : nothing, 2)});
-        }
-    });
-    return t;
-}
-
-Table cell_table(const PaperResult& result, const RecordTable& table, std::size_t detector,
-                 std::size_t scene) {
-    Table t;
-    t.caption = title_of(result, detector, scene) + ": each distance and tilt";
-    t.columns = {"distance cm",   "tilt °",
-                 "frames",        "posts",
-                 "detected %",    "false posts",
-                 "RMSE cm",       "bias cm",
-                 "σ cm",          "median |e| cm",
-                 "95 % |e| cm",   "left edge px",
-                 "right edge px", "bearing RMSE mrad",
-                 "measured",      "bias cm",
-                 "RMSE cm"};
-    t.groups = {{"", 4}, {"detection", 2}, {"post in line", 9}, {"other post", 2}};
-    for (int c = 0; c < cell_count; ++c) {
-        const Summary cell = table.cell(detector, scene, c);
-        const auto& distance = cell.in_line.distance;
-        const auto edge = [&](std::size_t side) {
-            return Cell(cell.in_line.edges ? (*cell.in_line.edges)[side] : nothing, 2);
-        };
-        t.rows.push_back({Cell(evaluation_cell(c).distance_cm, 0), Cell(evaluation_cell(c).tilt_deg, 0),
-                          Cell(cell.frames, 0), Cell(cell.posts, 0), percent(cell), Cell(cell.false_posts, 0),
-                          Cell(centimetres(distance, &ErrorStatistics::rmse), 2, Cell::Mark::strong),
-                          Cell(centimetres(distance, &ErrorStatistics::bias), 2),
-                          Cell(centimetres(distance, &ErrorStatistics::sigma), 2),
-                          Cell(centimetres(distance, &ErrorStatistics::median_abs), 2),
-                          Cell(centimetres(distance, &ErrorStatistics::p95_abs), 2), edge(0), edge(1),
-                          Cell(1000.0 * cell.in_line.bearing_rmse.value_or(nothing), 2),
-                          Cell(cell.in_line.measured, 0),
-                          Cell(centimetres(cell.second.distance, &ErrorStatistics::bias), 2),
-                          Cell(centimetres(cell.second.distance, &ErrorStatistics::rmse), 2)});
-    }
-    return t;
 }
 
 std::vector<std::pair<std::string, std::string>> rule_entries() {
@@ -161,15 +54,20 @@ class FigureNames {
 
 void add_figures(HtmlPage& page, const PaperResult& result, const RecordTable& table,
                  const std::filesystem::path& folder) {
+    page.paragraph(
+        "Left: posts found. Right: estimated over true distance, mean ± standard deviation; the dashed "
+        "diagonal is the truth. " +
+        std::string(dodge_words));
     FigureNames names;
-    for_each_pair(result, [&](std::size_t d, std::size_t s) {
-        const std::string stem = names.of(result, d, s);
-        page.figures({draw_figure(detection_figure(result, table, d, s), folder, "detection-" + stem),
-                      draw_figure(distance_figure(result, table, d, s), folder, "distance-" + stem)},
-                     title_of(result, d, s) +
-                         ": posts found, and estimated over true distance (mean ± standard deviation; the "
-                         "diagonal is the truth).");
-    });
+    for (std::size_t s = 0; s < result.scenes.size(); ++s) {
+        if (result.scenes.size() > 1) page.subsection("Scene " + result.scenes[s]);
+        for (std::size_t d = 0; d < result.detectors.size(); ++d) {
+            const std::string stem = names.of(result, d, s);
+            page.figures({draw_figure(detection_figure(result, table, d, s), folder, "detection-" + stem),
+                          draw_figure(distance_figure(result, table, d, s), folder, "distance-" + stem)},
+                         "");
+        }
+    }
 }
 
 /// The setup to render failures with: the run's own, or one made anew where that is the same.
@@ -183,15 +81,19 @@ std::optional<PaperSetup> remade(const PaperResult& result) {
 }
 
 void add_failures(HtmlPage& page, const PaperResult& result, const PaperSetup& setup) {
-    page.paragraph(std::string("The largest errors of distance, missed posts (the nearest first) and false "
-                               "posts, rendered once more from their numbers. ") +
-                   scored_legend);
-    for_each_pair(result, [&](std::size_t d, std::size_t s) {
-        const std::vector<PagePicture> pictures = failure_pictures(result, setup, d, s);
-        if (pictures.empty()) return;
-        page.subsection(title_of(result, d, s));
-        page.pictures(pictures);
-    });
+    page.paragraph(
+        "Of each detector in each scene the two frames with the largest errors of distance, two with missed "
+        "posts (the nearest first) and two with the most false posts, rendered once more from their numbers. "
+        "A click on a picture shows it large, another one closes it.");
+    page.paragraph(scored_legend);
+    for (std::size_t s = 0; s < result.scenes.size(); ++s) {
+        for (std::size_t d = 0; d < result.detectors.size(); ++d) {
+            const std::vector<PagePicture> pictures = failure_pictures(result, setup, d, s);
+            if (pictures.empty()) continue;
+            page.subsection(title_of(result, d, s));
+            page.pictures(pictures);
+        }
+    }
 }
 
 }  // namespace
@@ -210,17 +112,24 @@ void write_paper_report(const PaperResult& result, const PaperSetup* setup,
     if (result.shard) page.note("This is shard " + shard_text(*result.shard) + " of a larger run.");
 
     page.section("Summary");
-    std::vector<std::string> sentences;
-    for_each_pair(
-        result, [&](std::size_t d, std::size_t s) { sentences.push_back(sentence_of(result, table, d, s)); });
-    page.list(sentences);
-    page.table(tilt_table(result, table));
+    for (const std::string& text : paper_headline(result, table)) page.paragraph(text);
+    page.table(overview_table(result, table));
+    page.details("Every tilt, with bias, median and 95th percentile",
+                 [&](HtmlPage& inside) { inside.table(tilt_table(result, table)); });
 
     page.section("Figures");
     add_figures(page, result, table, folder.path());
 
     page.section("Each distance and tilt");
-    for_each_pair(result, [&](std::size_t d, std::size_t s) { page.table(cell_table(result, table, d, s)); });
+    page.paragraph(
+        "Distance, edges and bearing are those of the post in line; the edges' means are positive to the "
+        "right.");
+    for (std::size_t s = 0; s < result.scenes.size(); ++s) {
+        page.details("Scene " + result.scenes[s], [&](HtmlPage& inside) {
+            for (std::size_t d = 0; d < result.detectors.size(); ++d)
+                inside.table(cell_table(result, table, d, s));
+        });
+    }
 
     page.section("Worst failures");
     const std::optional<PaperSetup> again = setup == nullptr ? remade(result) : std::nullopt;

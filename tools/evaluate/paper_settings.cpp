@@ -1,6 +1,7 @@
 #include "tools/evaluate/paper_settings.h"
 
 #include "core/process/configuration.h"
+#include "tools/evaluate/file_hash.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -16,6 +17,13 @@ Json value_as_json(const std::string& yaml) {
     if (!value.is_discarded() && !value.is_object()) return value;
     if (yaml.find('/') != std::string::npos) return std::filesystem::path(yaml).filename().string();
     return yaml;
+}
+
+/// Whether a parameter names a file that is there and whose content is not among the settings by itself.
+bool is_data_file(const std::filesystem::path& file) {
+    std::error_code ignored;
+    return file.has_extension() && file.extension() != ".yaml" &&
+           std::filesystem::is_regular_file(file, ignored);
 }
 
 template <class Parameters>
@@ -53,6 +61,8 @@ Json settings_as_json(const Graph& graph) {
         for (const ParameterInfo& each : process.description.parameters) {
             const std::string set = configuration.text(each.key);
             of[each.key] = value_as_json(set.empty() ? each.value : set);
+            const std::string file = configuration.file(each.key);
+            if (is_data_file(file)) of[each.key + hash_suffix] = file_hash(file);
         }
     }
     return j;

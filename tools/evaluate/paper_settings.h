@@ -10,8 +10,12 @@ namespace goalmouth {
 /// Every parameter of field, camera and scenes, by key.
 nlohmann::ordered_json settings_as_json(const PaperGrid& grid);
 
+/// What follows the key of a parameter that names a file, for the hash of its content (file_hash).
+inline constexpr const char* hash_suffix = ".fnv1a";
+
 /// Every parameter of every process of a graph that is one of ours, by process and key. Files by their names
-/// alone: folders differ from machine to machine.
+/// alone, because folders differ from machine to machine, and those that are no YAML, such as colour tables,
+/// by the hash of their content as well.
 nlohmann::ordered_json settings_as_json(const Graph& graph);
 
 }  // namespace goalmouth

@@ -7,6 +7,7 @@
 #include "core/process/paths.h"
 #include "core/process/text.h"
 #include "core/simulation/exposure.h"
+#include "tools/evaluate/file_hash.h"
 #include "tools/evaluate/graph_settings.h"
 #include "tools/evaluate/paper_settings.h"
 #include "tools/goalmouth/image_chain.h"
@@ -154,7 +155,10 @@ PaperSetup set_up_paper(const PaperOptions& options) {
         described.settings = shares[i];
         setup.settings["detectors"][detector.name] = settings_as_json(load_graph(graphs[i], described));
     }
-    if (!options.colours.empty()) setup.settings["colours"] = fs::path(options.colours).filename().string();
+    if (!options.colours.empty()) {
+        setup.settings["colours"] = fs::path(options.colours).filename().string();
+        setup.settings[std::string("colours") + hash_suffix] = file_hash(options.colours);
+    }
     return setup;
 }
 

@@ -1,5 +1,7 @@
 #include "tools/evaluate/paper_summary.h"
 
+#include "core/evaluation/cell.h"
+
 #include <cmath>
 
 namespace goalmouth {
@@ -69,6 +71,41 @@ Summary RecordTable::tilt(std::size_t detector, std::size_t scene, std::size_t t
         for (const FrameRecord* frame : cells_[scene * cell_count + tilt * cell_distances_cm.size() + i])
             records.push_back(&frame->detectors[detector]);
     return summarise(records);
+}
+
+Summary RecordTable::whole(std::size_t detector, std::size_t scene) const {
+    std::vector<const DetectorRecord*> records;
+    for (std::size_t i = 0; i < cell_count; ++i)
+        for (const FrameRecord* frame : cells_[scene * cell_count + i])
+            records.push_back(&frame->detectors[detector]);
+    return summarise(records);
+}
+
+WorstCells worst_cells(const RecordTable& table, std::size_t detector, std::size_t scene,
+                       std::optional<std::size_t> tilt) {
+    constexpr auto distances = static_cast<int>(cell_distances_cm.size());
+    const int first = tilt ? static_cast<int>(*tilt) * distances : 0;
+    const int end = tilt ? first + distances : cell_count;
+    WorstCells worst;
+    double lowest_rate = 0.0;
+    double its_rmse = 0.0;
+    double largest_rmse = 0.0;
+    for (int c = first; c < end; ++c) {
+        const Summary cell = table.cell(detector, scene, c);
+        if (cell.posts == 0) continue;
+        const double rmse = cell.in_line.distance ? cell.in_line.distance->rmse : 0.0;
+        const double rate = cell.detection_rate();
+        if (!worst.detection || rate < lowest_rate || (rate == lowest_rate && rmse > its_rmse)) {
+            worst.detection = c;
+            lowest_rate = rate;
+            its_rmse = rmse;
+        }
+        if (cell.in_line.distance && (!worst.distance || rmse > largest_rmse)) {
+            worst.distance = c;
+            largest_rmse = rmse;
+        }
+    }
+    return worst;
 }
 
 }  // namespace goalmouth

@@ -47,8 +47,21 @@ class RecordTable {
     /// All distances of a tilt, by its place in cell_tilts_deg, pooled.
     Summary tilt(std::size_t detector, std::size_t scene, std::size_t tilt) const;
 
+    /// All cells together.
+    Summary whole(std::size_t detector, std::size_t scene) const;
+
   private:
     std::vector<std::vector<const FrameRecord*>> cells_;  // scene · cell_count + cell
 };
+
+/// The two cells in which a detector does worst, which need not be the same.
+struct WorstCells {
+    std::optional<int> detection;  // the lowest rate; of equal ones, that with the largest RMSE
+    std::optional<int> distance;   // the largest RMSE of the post in line
+};
+
+/// Of one tilt (its place in cell_tilts_deg) or of all. Nothing where no post counts or none was measured.
+WorstCells worst_cells(const RecordTable& table, std::size_t detector, std::size_t scene,
+                       std::optional<std::size_t> tilt = std::nullopt);
 
 }  // namespace goalmouth

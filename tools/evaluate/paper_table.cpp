@@ -4,8 +4,8 @@
 #include "tools/evaluate/paper_facts.h"
 #include "tools/evaluate/paper_summary.h"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 #include <string>
 
 namespace goalmouth {
@@ -15,25 +15,22 @@ std::string centimetres(const std::optional<ErrorStatistics>& distance, double E
     return distance ? fmt::format("{:9.2f}", 100.0 * (*distance).*value) : std::string("        -");
 }
 
-/// The cell with the lowest detection rate; of those, the one with the largest RMSE.
-std::string worst_cell(const RecordTable& table, std::size_t detector, std::size_t scene, std::size_t tilt) {
-    constexpr auto distances = static_cast<int>(cell_distances_cm.size());
-    int worst = -1;
-    double rate = 2.0;
-    double rmse = 0.0;
-    for (int i = 0; i < distances; ++i) {
-        const Summary cell = table.cell(detector, scene, static_cast<int>(tilt) * distances + i);
-        if (cell.posts == 0) continue;
-        const double cell_rmse = cell.in_line.distance ? cell.in_line.distance->rmse : 0.0;
-        if (cell.detection_rate() < rate || (cell.detection_rate() == rate && cell_rmse > rmse)) {
-            worst = i;
-            rate = cell.detection_rate();
-            rmse = cell_rmse;
-        }
-    }
-    if (worst < 0) return "-";
-    return fmt::format("{} cm: {:.1f} %, {:.1f} cm", cell_distances_cm[static_cast<std::size_t>(worst)],
-                       100.0 * rate, 100.0 * rmse);
+/// "600 cm  81.2 %", "none missed".
+std::string fewest_found(const RecordTable& table, std::size_t detector, std::size_t scene,
+                         const std::optional<int>& cell) {
+    if (!cell) return "-";
+    const Summary summary = table.cell(detector, scene, *cell);
+    if (summary.detected == summary.posts) return "none missed";
+    return fmt::format("{} cm {:5.1f} %", evaluation_cell(*cell).distance_cm,
+                       100.0 * summary.detection_rate());
+}
+
+/// "530 cm  45.1 cm".
+std::string largest_rmse(const RecordTable& table, std::size_t detector, std::size_t scene,
+                         const std::optional<int>& cell) {
+    if (!cell) return "-";
+    return fmt::format("{} cm {:6.1f} cm", evaluation_cell(*cell).distance_cm,
+                       100.0 * table.cell(detector, scene, *cell).in_line.distance->rmse);
 }
 
 }  // namespace
@@ -47,8 +44,8 @@ std::string paper_table(const PaperResult& result) {
             text += (text.empty() ? "" : "\n") + result.detectors[d] + ", scene " + result.scenes[s] + ", " +
                     result.options.size + "\n";
             text +=
-                "  tilt  frames  detected  false/frame  RMSE cm  bias cm  paper's RMSE  worst cell: "
-                "detected, RMSE\n";
+                "  tilt  frames  detected  false/frame  RMSE cm  bias cm  paper's RMSE    fewest found     "
+                "largest RMSE\n";
             for (std::size_t t = 0; t < cell_tilts_deg.size(); ++t) {
                 const Summary tilt = table.tilt(d, s, t);
                 const std::string rate =
@@ -59,7 +56,9 @@ std::string paper_table(const PaperResult& result) {
                 text += centimetres(tilt.in_line.distance, &ErrorStatistics::bias);
                 text += paper && paper->rmse_cm[t] ? fmt::format("  {:12.2f}", *paper->rmse_cm[t])
                                                    : std::string("             -");
-                text += "  " + worst_cell(table, d, s, t) + "\n";
+                const WorstCells worst = worst_cells(table, d, s, t);
+                text += fmt::format("  {:>14}  {:>15}\n", fewest_found(table, d, s, worst.detection),
+                                    largest_rmse(table, d, s, worst.distance));
             }
         }
     }

@@ -8,13 +8,12 @@
 namespace goalmouth {
 namespace {
 
-// BGR
 const cv::Scalar shade(0, 0, 0);
-const cv::Scalar found_truth(255, 255, 255);
-const cv::Scalar missed_truth(255, 60, 255);
-const cv::Scalar grey(190, 190, 190);
-const cv::Scalar right_post(60, 220, 60);
-const cv::Scalar wrong_post(60, 60, 255);
+
+// Lines in a picture 640 px wide [px]: they must be seen where it is shown at half its size.
+constexpr double truth_width = 2.0;
+constexpr double missed_width = 3.0;
+constexpr double post_width = 3.0;
 
 constexpr int fraction_bits = 4;
 
@@ -59,21 +58,22 @@ void draw_outline(cv::Mat& picture, const Outline& o, const Pen& pen) {
 
 void draw_scored_posts(cv::Mat& picture, std::span<const ReferencePost> truth, std::span<const Post> posts,
                        const PostMatching& matching) {
+    using namespace scored_colour;
     for (std::size_t i = 0; i < truth.size(); ++i) {
         if (!truth[i].counts)
-            draw_outline(picture, truth[i], {grey, 1.0, true});
+            draw_outline(picture, truth[i], {left_out, truth_width, true});
         else if (matching.found[i])
-            draw_outline(picture, truth[i], {found_truth, 1.0});
+            draw_outline(picture, truth[i], {found_truth, truth_width});
         else
-            draw_outline(picture, truth[i], {missed_truth, 2.0});
+            draw_outline(picture, truth[i], {missed_truth, missed_width});
     }
     for (std::size_t i = 0; i < posts.size(); ++i) {
         const Verdict verdict = matching.verdicts[i];
         draw_outline(picture, posts[i],
                      {verdict == Verdict::found     ? right_post
-                      : verdict == Verdict::ignored ? grey
+                      : verdict == Verdict::ignored ? left_out
                                                     : wrong_post,
-                      1.0});
+                      post_width});
     }
 }
 

@@ -30,11 +30,21 @@ std::string caption_html(const std::string& caption) {
     return caption.empty() ? "" : "<figcaption>" + escape_html(caption) + "</figcaption>";
 }
 
+std::string image_html(const PagePicture& picture) {
+    const std::string hint = picture.hint.empty() ? "" : " title=\"" + escape_html(picture.hint) + "\"";
+    return fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\"{}>", picture.uri, picture.width,
+                       picture.height, escape_html(picture.caption), hint);
+}
+
 std::string picture_html(const PagePicture& picture) {
-    return fmt::format(
-        "<figure><img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\" decoding=\"async\">{}</figure>\n",
-        picture.uri, picture.width, picture.height, escape_html(picture.caption),
-        caption_html(picture.caption));
+    return "<figure>" + image_html(picture) + caption_html(picture.caption) + "</figure>\n";
+}
+
+/// A ticked box lets the style sheet spread the picture over the window: a page without scripts may not open
+/// a picture of its own in another way.
+std::string enlargeable_html(const PagePicture& picture) {
+    return "<figure><label class=\"zoom\"><input type=\"checkbox\" aria-label=\"Show large\">" +
+           image_html(picture) + "</label>" + caption_html(picture.caption) + "</figure>\n";
 }
 
 }  // namespace
@@ -140,7 +150,7 @@ HtmlPage& HtmlPage::picture(const PagePicture& picture) {
 
 HtmlPage& HtmlPage::pictures(const std::vector<PagePicture>& pictures) {
     body_ += "<div class=\"grid\">\n";
-    for (const PagePicture& picture : pictures) body_ += picture_html(picture);
+    for (const PagePicture& picture : pictures) body_ += enlargeable_html(picture);
     body_ += "</div>\n";
     return *this;
 }

@@ -19,6 +19,7 @@ struct PagePicture {
     int width = 0;    // px, as it is stored
     int height = 0;
     std::string caption;
+    std::string hint = {};  // shown where a mouse rests on it
 };
 
 /// Photographs as JPEG, drawings with sharp edges or few pixels as PNG.
@@ -58,7 +59,7 @@ class HtmlPage {
     /// Side by side where there is room.
     HtmlPage& figures(const std::vector<DrawnFigure>& figures, const std::string& caption);
     HtmlPage& picture(const PagePicture& picture);
-    /// In a grid, as many beside one another as there is room for.
+    /// In a grid, as many beside one another as there is room for; a click shows one as large as the window.
     HtmlPage& pictures(const std::vector<PagePicture>& pictures);
 
     /// What `fill` adds is folded away below `summary`; it must not begin a section.

@@ -18,7 +18,7 @@ const char* html_style() {
 * { box-sizing: border-box; }
 html { -webkit-text-size-adjust: 100%; scroll-behavior: smooth; }
 body {
-  margin: 0 auto; padding: 1.5rem 1.1rem 4rem; max-width: 66rem;
+  margin: 0 auto; padding: 1.5rem 1.1rem 4rem; max-width: 76rem;
   background: var(--page); color: var(--ink);
   font: 1rem/1.6 system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif;
 }
@@ -41,8 +41,8 @@ dd { margin: 0; overflow-wrap: anywhere; }
 .wide { overflow-x: auto; margin: 1.2rem 0 0.4rem; }
 table { border-collapse: collapse; font-size: 0.93rem; line-height: 1.4; font-variant-numeric: tabular-nums; }
 caption { text-align: left; padding: 0 0 0.5rem; color: var(--quiet); }
-th, td { padding: 0.32rem 0.75rem; text-align: left; vertical-align: baseline; white-space: nowrap; }
-thead th { font-weight: 600; border-bottom: 2px solid var(--rule); vertical-align: bottom; }
+th, td { padding: 0.32rem 0.6rem; text-align: left; vertical-align: baseline; white-space: nowrap; }
+thead th { font-weight: 600; white-space: normal; border-bottom: 2px solid var(--rule); vertical-align: bottom; }
 .groups th { text-align: center; border-bottom: 1px solid var(--rule); }
 tbody th { font-weight: 400; }
 tbody tr { border-bottom: 1px solid var(--rule); }
@@ -62,6 +62,11 @@ figure img { display: block; max-width: 100%; height: auto; border-radius: 6px; 
 .grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 19rem), 1fr)); gap: 1.2rem; margin: 1.2rem 0; }
 .grid figure { margin: 0; }
 .grid img { width: 100%; }
+.zoom { display: block; cursor: zoom-in; }
+.zoom input { position: absolute; opacity: 0; }
+.zoom input:focus-visible + img { outline: 3px solid var(--link); outline-offset: 2px; }
+.zoom input:checked + img { position: fixed; z-index: 1; inset: 0; width: 100vw; height: 100vh; max-width: none;
+  object-fit: contain; background: #000000e6; border-radius: 0; cursor: zoom-out; }
 details { margin: 1.2rem 0; border: 1px solid var(--rule); border-radius: 8px; padding: 0 1rem; }
 summary { padding: 0.6rem 0; cursor: pointer; font-weight: 600; }
 details[open] { padding-bottom: 0.6rem; }

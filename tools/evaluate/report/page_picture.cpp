@@ -59,9 +59,10 @@ PagePicture page_picture(const cv::Mat& picture, const std::string& caption, Pic
     std::vector<std::uint8_t> bytes;
     const bool encoded = format == PictureFormat::png
                              ? cv::imencode(".png", shown, bytes)
-                             : cv::imencode(".jpg", shown, bytes, {cv::IMWRITE_JPEG_QUALITY, 88});
+                             : cv::imencode(".jpg", shown, bytes, {cv::IMWRITE_JPEG_QUALITY, 85});
     if (!encoded) throw std::runtime_error("a page's picture could not be encoded");
-    return {uri_of(bytes, format == PictureFormat::png ? "png" : "jpeg"), shown.cols, shown.rows, caption};
+    return {
+        uri_of(bytes, format == PictureFormat::png ? "png" : "jpeg"), shown.cols, shown.rows, caption, {}};
 }
 
 PagePicture page_picture(const std::filesystem::path& file, const std::string& caption) {
@@ -78,7 +79,7 @@ PagePicture page_picture(const std::filesystem::path& file, const std::string& c
         type == nullptr ? cv::Mat() : cv::imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
     if (decoded.empty())
         throw ConfigurationError(file.string() + ": is no PNG or JPEG picture that can be read");
-    return {uri_of(bytes, type), decoded.cols, decoded.rows, caption};
+    return {uri_of(bytes, type), decoded.cols, decoded.rows, caption, {}};
 }
 
 }  // namespace goalmouth

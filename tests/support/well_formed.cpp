@@ -1,4 +1,4 @@
-#include "tests/tools_evaluate_report/well_formed.h"
+#include "tests/support/well_formed.h"
 
 #include <regex>
 #include <set>
