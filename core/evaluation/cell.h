@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 
@@ -16,6 +17,10 @@ struct EvaluationCell {
     double tilt() const { return tilt_deg * std::numbers::pi / 180.0; }  // rad
     bool operator==(const EvaluationCell&) const = default;
 };
+
+/// Ids of the posts of the opponents' goal, as Field::posts().
+inline constexpr int post_in_line = 3;
+inline constexpr int second_post = 2;
 
 inline constexpr std::array<int, 6> cell_distances_cm = {60, 150, 300, 350, 530, 600};
 inline constexpr std::array<int, 3> cell_tilts_deg = {0, 10, 20};

@@ -1,6 +1,7 @@
 #include "core/evaluation/cell_renderer.h"
 
 #include "core/evaluation/edge_path.h"
+#include "core/geometry/segment.h"
 #include "core/simulation/robot.h"
 
 #include <algorithm>
@@ -16,12 +17,8 @@ bool leaves_room(const Scene& scene, const Eigen::Vector3d& eye) {
     constexpr double clear = 0.3;  // m
     for (const Tube& tube : scene.tubes) {
         if (tube.of != Tube::Of::robot) continue;
-        const Eigen::Vector2d base = tube.cylinder.base.head<2>();
-        const Eigen::Vector2d along = tube.cylinder.top().head<2>() - base;
-        const Eigen::Vector2d to_eye = eye.head<2>() - base;
-        const double length = along.squaredNorm();
-        const double share = length > 0.0 ? std::clamp(to_eye.dot(along) / length, 0.0, 1.0) : 0.0;
-        if ((to_eye - share * along).norm() < clear) return false;
+        const Cylinder& c = tube.cylinder;
+        if (distance_to_segment<2>(c.base.head<2>(), c.top().head<2>(), eye.head<2>()) < clear) return false;
     }
     return true;
 }

@@ -41,10 +41,6 @@ struct CellFrame {
     std::vector<ReferencePost> outlines() const;
 };
 
-/// Ids of the posts of the opponents' goal, as Field::posts().
-inline constexpr int post_in_line = 3;
-inline constexpr int second_post = 2;
-
 /// Draws the frames of the paper's experiment in one scene. Each is a function of (seed, scene, camera, cell,
 /// index) alone, so that any of them can be drawn again. Not for more than one thread at a time.
 class CellRenderer {

@@ -25,7 +25,7 @@ CellView draw_view(Random random, const EvaluationSceneParameters& parameters, c
     const double yaw = random.uniform(-view.yaw, view.yaw);
     const double pitch = random.uniform(view.pitch_lowest, view.pitch_highest);
     const double side = random.index(2) == 0 ? -1.0 : 1.0;
-    const Eigen::Vector2d post = field.posts()[3];
+    const Eigen::Vector2d post = field.posts()[post_in_line];
     Eigen::Isometry3d& T_WC = result.camera.T_WC;
     T_WC = camera_in_body(view.camera_height, side * cell.tilt(), pitch, yaw);
     T_WC.pretranslate(Eigen::Vector3d(post.x() - cell.distance(), post.y(), 0.0));

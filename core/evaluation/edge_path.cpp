@@ -7,14 +7,6 @@
 namespace goalmouth {
 namespace {
 
-bool folded(const Intrinsics& camera, const Eigen::Vector2d& normalised) {
-    constexpr double step = 1e-4;
-    const auto radius = [&](const Eigen::Vector2d& n) {
-        return (pixel_from_normalised(camera, n) - Eigen::Vector2d(camera.cx, camera.cy)).norm();
-    };
-    return camera.has_distortion() && radius((1.0 + step) * normalised) < radius(normalised);
-}
-
 Eigen::Vector2d normalised_from_undistorted(const Intrinsics& camera, const Eigen::Vector2d& pixel) {
     return {(pixel.x() - camera.cx) / camera.fx, (pixel.y() - camera.cy) / camera.fy};
 }
@@ -87,7 +79,7 @@ EdgePath bent_edge(const Intrinsics& camera, const Eigen::Vector2d& top, const E
         std::vector<Eigen::Vector2d> walked;
         for (int i = 0; i <= steps && end != nearest; ++i) {
             const Eigen::Vector2d n = a + (nearest + (end - nearest) * i / steps) * along;
-            if (folded(camera, n)) break;
+            if (folds_back(camera, n)) break;
             walked.push_back(pixel_from_normalised(camera, n));
         }
         return walked;
@@ -106,8 +98,7 @@ std::array<EdgePath, 2> edges_in_picture(const Intrinsics& camera, const CameraM
     std::array<std::vector<RowView>, 2> views;
     for (int i = 0; i <= pieces; ++i) {
         const double row = -0.5 + camera.height * static_cast<double>(i) / pieces;
-        const double seconds = (row / std::max(1, camera.height - 1) - 0.5) * shutter.readout;
-        auto paths = edges_at(camera, motion.at(seconds), post);
+        auto paths = edges_at(camera, motion.at(row_time(shutter, row, camera.height)), post);
         for (std::size_t side = 0; side < 2; ++side)
             if (!paths[side].empty()) views[side].push_back({row, std::move(paths[side])});
     }

@@ -15,6 +15,21 @@ Eigen::Vector2d distort(const std::array<double, 5>& d, const Eigen::Vector2d& p
             y * radial + d[2] * (r2 + 2.0 * y * y) + 2.0 * d[3] * x * y};
 }
 
+/// Whether the radial part grows all the way from 0 to a radius, given squared: its derivative along the
+/// radius is 1 + 3·k1·s + 5·k2·s² + 7·k3·s³ at s = r².
+bool grows_until(const std::array<double, 5>& d, double radius2) {
+    const auto slope = [&](double s) { return 1.0 + s * (3.0 * d[0] + s * (5.0 * d[1] + s * 7.0 * d[4])); };
+    if (!(slope(radius2) > 0.0)) return false;
+    // Where it may be least: c + b·s + a·s² = 0.
+    const double a = 21.0 * d[4], b = 10.0 * d[1], c = 3.0 * d[0];
+    const auto falls_to_zero = [&](double s) { return s > 0.0 && s < radius2 && !(slope(s) > 0.0); };
+    if (a == 0.0) return !(b != 0.0 && falls_to_zero(-c / b));
+    const double discriminant = b * b - 4.0 * a * c;
+    if (discriminant < 0.0) return true;
+    const double root = std::sqrt(discriminant);
+    return !falls_to_zero((-b - root) / (2.0 * a)) && !falls_to_zero((-b + root) / (2.0 * a));
+}
+
 }  // namespace
 
 bool Intrinsics::has_distortion() const {
@@ -52,6 +67,17 @@ Eigen::Vector2d pixel_from_normalised(const Intrinsics& camera, const Eigen::Vec
 std::optional<Eigen::Vector2d> project(const Intrinsics& camera, const Eigen::Vector3d& point_C) {
     if (!(point_C.z() > 0.0)) return std::nullopt;
     return pixel_from_normalised(camera, point_C.head<2>() / point_C.z());
+}
+
+bool folds_back(const Intrinsics& camera, const Eigen::Vector2d& normalised) {
+    if (!camera.has_distortion()) return false;
+    if (!grows_until(camera.distortion, normalised.squaredNorm())) return true;
+    constexpr double step = 1e-4;  // the tangential part may fold as well
+    const Eigen::Vector2d principal(camera.cx, camera.cy);
+    const auto radius = [&](const Eigen::Vector2d& n) {
+        return (pixel_from_normalised(camera, n) - principal).norm();
+    };
+    return radius((1.0 + step) * normalised) < radius(normalised);
 }
 
 Eigen::Vector2d normalised_from_pixel(const Intrinsics& camera, const Eigen::Vector2d& pixel) {

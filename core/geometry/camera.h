@@ -40,8 +40,8 @@ void describe_parameters(Visitor& v, Intrinsics& p) {
     v("k3", p.distortion[4], Range{-10, 10}, "1", "radial distortion, r⁶");
 }
 
-/// The same camera delivering images of another size by scaling (pixel centres are what scales: (x + ½)·s −
-/// ½).
+/// The same camera delivering images of another size by scaling. Pixels scale about the image's corner, which
+/// lies half a pixel before the first one's centre: x becomes (x + ½)·s − ½.
 Intrinsics scaled_to(const Intrinsics& camera, int width, int height);
 
 /// Centred camera without distortion from its horizontal field of view [rad], 0 < fov < π.
@@ -52,6 +52,11 @@ std::optional<Eigen::Vector2d> project(const Intrinsics& camera, const Eigen::Ve
 
 /// Distorts normalised image coordinates (x/z, y/z), then scales to pixels.
 Eigen::Vector2d pixel_from_normalised(const Intrinsics& camera, const Eigen::Vector2d& normalised);
+
+/// Whether the lens model says nothing about a point: at its normalised coordinates, or on the way there from
+/// the optical axis, points farther out come to lie nearer to the principal point again. What lies there can
+/// seem to be inside the image.
+bool folds_back(const Intrinsics& camera, const Eigen::Vector2d& normalised);
 
 /// Undistorted normalised image coordinates (x/z, y/z) of a pixel; fixed-point iteration, to 1e-12 for lenses
 /// whose distortion is monotone over the image.

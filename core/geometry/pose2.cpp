@@ -40,4 +40,11 @@ Pose2 interpolate(const Pose2& a, const Pose2& b, double share) {
             wrap_angle(a.theta + share * wrap_angle(b.theta - a.theta))};
 }
 
+Eigen::Isometry3d on_ground(const Pose2& pose) {
+    Eigen::Isometry3d T_WB = Eigen::Isometry3d::Identity();
+    T_WB.linear() = Eigen::AngleAxisd(pose.theta, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    T_WB.translation() = Eigen::Vector3d(pose.x, pose.y, 0.0);
+    return T_WB;
+}
+
 }  // namespace goalmouth

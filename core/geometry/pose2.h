@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace goalmouth {
 
@@ -30,5 +31,8 @@ Eigen::Vector2d inverse_transform(const Pose2& pose, const Eigen::Vector2d& poin
 
 /// Between a (share 0) and b (share 1); the heading takes the short way round.
 Pose2 interpolate(const Pose2& a, const Pose2& b, double share);
+
+/// The same pose in space: T_WB of a body that stands upright on the ground of frame W.
+Eigen::Isometry3d on_ground(const Pose2& pose);
 
 }  // namespace goalmouth

@@ -13,14 +13,13 @@
 //
 //     template <class Visitor>
 //     void describe_parameters(Visitor& v, RansacParameters& p) {
-//         v("attempts", p.attempts, Range{1, 100000}, "1", "hypotheses drawn for each line (k of Algorithm
-//         2)"); v("spacing", p.spacing, Choice{"image", "field"}, "where scan-lines are equidistant");
-//         v("table", p.table, File{}, "colour table");                      // std::string
-//         v("mirrored", p.mirrored, "the camera hangs upside down");        // bool
-//         v("robot", p.robot, Text{}, "name shown to people");              // std::string
-//         v("offsets", p.offsets, Range{-1, 1}, "m", "…");                  // std::vector<double>
-//         v.group("walk", p.walk, "how the robot walks");                   // a struct with its own
-//         describe_parameters
+//         v("attempts", p.attempts, Range{1, 100000}, "1", "hypotheses drawn for each line");  // int
+//         v("spacing", p.spacing, Choice{"image", "field"}, "where scan-lines are even");  // std::string
+//         v("table", p.table, File{}, "colour table");                // std::string
+//         v("mirrored", p.mirrored, "the camera hangs upside down");  // bool
+//         v("robot", p.robot, Text{}, "name shown to people");        // std::string
+//         v("offsets", p.offsets, Range{-1, 1}, "m", "…");            // std::vector<double>
+//         v.group("walk", p.walk, "how the robot walks");             // a struct described likewise
 //     }
 //
 // and nothing else: this header is all a stage needs to know. core/process/configuration.h reads such a

@@ -119,7 +119,9 @@ void add_distractors(Scene& scene, const Room& room, const SceneParameters& p, c
         if (i % 3 == 0) {
             const Vector3d foot = draw_place(random, scene, p, i / 3);
             const double height = random.uniform(0.9, 2.2);
-            const Vector3d lean(random.uniform(-0.15, 0.15), random.uniform(-0.15, 0.15), 1.0);
+            const double sideways = random.uniform(-0.15, 0.15);
+            const double ahead = random.uniform(-0.15, 0.15);
+            const Vector3d lean(ahead, sideways, 1.0);
             add(scene, cylinder_between(foot, foot + height * lean, random.uniform(0.025, 0.07)), colour);
         } else if (i % 3 == 1) {
             const std::size_t side = random.index(4);

@@ -102,16 +102,17 @@ GroundPainter::Map GroundPainter::make_map(double cell, double reach) const {
     const double left = -layout_.carpet_half_length - margin;
     const double bottom = -layout_.carpet_half_width - margin;
     map.reach = reach;
-    map.inverse_cell = static_cast<float>(1.0 / cell);
-    map.width = static_cast<int>(std::ceil(-2.0 * left / cell));
-    map.height = static_cast<int>(std::ceil(-2.0 * bottom / cell));
-    map.origin_x = static_cast<float>(left);
-    map.origin_y = static_cast<float>(bottom);
-    map.near.resize(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height));
+    GroundGrid& grid = map.grid;
+    grid.inverse_cell = static_cast<float>(1.0 / cell);
+    grid.width = static_cast<int>(std::ceil(-2.0 * left / cell));
+    grid.height = static_cast<int>(std::ceil(-2.0 * bottom / cell));
+    grid.origin_x = static_cast<float>(left);
+    grid.origin_y = static_cast<float>(bottom);
+    map.near.resize(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height));
     const double limit = reach + cell * std::sqrt(0.5);
     std::size_t i = 0;
-    for (int cy = 0; cy < map.height; ++cy)
-        for (int cx = 0; cx < map.width; ++cx, ++i) {
+    for (int cy = 0; cy < grid.height; ++cy)
+        for (int cx = 0; cx < grid.width; ++cx, ++i) {
             const Eigen::Vector2d p(left + (cx + 0.5) * cell, bottom + (cy + 0.5) * cell);
             std::uint32_t bits = 0;
             std::uint32_t bit = 1;
@@ -219,10 +220,7 @@ GOALMOUTH_VECTORISED void GroundPainter::paint(const RowRays& rays, const LightR
     int* cell = cell_.data();
     int* spot = spot_.data();
     const Map& fine = fine_;
-    const float origin_x = fine.origin_x, origin_y = fine.origin_y, inverse_cell = fine.inverse_cell;
-    const auto last_x = static_cast<float>(fine.width - 1);
-    const auto last_y = static_cast<float>(fine.height - 1);
-    const int map_width = fine.width;
+    const GroundGrid grid = fine.grid;
     int hits = 0;
     for (int u = 0; u < width; ++u) {
         const float dz = r20 * nx[u] + r21 * ny[u] + r22;
@@ -247,9 +245,7 @@ GOALMOUTH_VECTORISED void GroundPainter::paint(const RowRays& rays, const LightR
         gy[u] = py + s * (r10 * nx[u] + r11 * ny[u] + r12);
     }
     for (int u = 0; u < width; ++u) {
-        const float cx = std::min(std::max((gx[u] - origin_x) * inverse_cell, 0.0F), last_x);
-        const float cy = std::min(std::max((gy[u] - origin_y) * inverse_cell, 0.0F), last_y);
-        cell[u] = static_cast<int>(cy) * map_width + static_cast<int>(cx);
+        cell[u] = grid.cell(gx[u], gy[u]);
         const int tx = static_cast<int>(gx[u] * tile_cells_per_m) & (tile - 1);
         const int ty = static_cast<int>(gy[u] * tile_cells_per_m) & (tile - 1);
         spot[u] = ty * tile + tx;
@@ -290,7 +286,7 @@ GOALMOUTH_VECTORISED void GroundPainter::paint(const RowRays& rays, const LightR
         if (r < fine_reach)
             near = fine.near[static_cast<std::size_t>(cell[u])];
         else if (r < coarse_reach)
-            near = coarse_.near[static_cast<std::size_t>(coarse_.cell(x, y))];
+            near = coarse_.near[static_cast<std::size_t>(coarse_.grid.cell(x, y))];
         else
             near = std::abs(x) > carpet_x + r || std::abs(y) > carpet_y + r ? outside_bit : every_part;
         if (near == outside_bit) {

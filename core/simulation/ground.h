@@ -2,12 +2,12 @@
 
 #include "core/geometry/camera.h"
 #include "core/simulation/coverage.h"
+#include "core/simulation/ground_grid.h"
 #include "core/simulation/light.h"
 #include "core/simulation/ray_table.h"
 #include "core/simulation/scene.h"
 #include "core/simulation/shadow.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -34,21 +34,8 @@ class GroundPainter {
     /// Which parts of the layout lie within `reach` of each square cell, as bits.
     struct Map {
         double reach = 0.0;
-        float inverse_cell = 1.0F;
-        int width = 0;
-        int height = 0;
-        float origin_x = 0.0F;
-        float origin_y = 0.0F;
+        GroundGrid grid;  // its rim is all outside
         std::vector<std::uint32_t> near;
-
-        /// Cell of a point; points beyond the map fall into its rim, which is all outside.
-        int cell(float x, float y) const {
-            const float cx =
-                std::min(std::max((x - origin_x) * inverse_cell, 0.0F), static_cast<float>(width - 1));
-            const float cy =
-                std::min(std::max((y - origin_y) * inverse_cell, 0.0F), static_cast<float>(height - 1));
-            return static_cast<int>(cy) * width + static_cast<int>(cx);
-        }
     };
     struct FlatStroke {  // a stroke as its middle, direction and half sizes
         float x, y, dx, dy, half_length, half_width;

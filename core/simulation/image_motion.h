@@ -7,14 +7,16 @@
 namespace goalmouth {
 
 /// Fastest movement of anything across the image [px/s], at the frame's time: things at `nearest` [m] or
-/// farther, and the ground z = 0.
+/// farther, and the ground z = 0. The image is taken as without distortion; a lens that pulls its rim in
+/// moves things there more slowly, one that stretches it faster.
 double image_speed(const Intrinsics& camera, const CameraMotion& motion, double nearest);
 
 /// How finely a moving camera's frame is made.
 struct ShutterSampling {
-    int band_rows = 1;  // rows that share one set-up of the scene: nothing moves by more than half a pixel
-                        // between a row and the middle of its band
-    int samples = 1;    // instants in the exposure of a row, 2…16 where it lasts
+    int band_rows =
+        1;  // rows that share one set-up of the scene: 1…16, such that nothing moves by more than
+            // half a pixel between a row and the middle of its band; all where they are read at once
+    int samples = 1;  // instants in the exposure of a row, 2…16 where it lasts
 };
 
 /// `speed` [px/s] as image_speed() has it; `blur` [px]: σ of the optical blur. Instants lie a pixel apart or

@@ -1,5 +1,7 @@
 #include "core/simulation/in_view.h"
 
+#include "core/geometry/segment.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,8 +44,7 @@ double distance_to(const Panel& panel, const Vector3d& point) {
 
 double distance_to(const Tube& tube, const Vector3d& point) {
     const Cylinder& c = tube.cylinder;
-    const double along = std::clamp((point - c.base).dot(c.axis), 0.0, c.length);
-    return std::max(0.0, (point - c.base - along * c.axis).norm() - c.radius);
+    return std::max(0.0, distance_to_segment<3>(c.base, c.top(), point) - c.radius);
 }
 
 }  // namespace
@@ -80,11 +81,6 @@ ViewLimits::ViewLimits(const RayTable& rays, int first, int last)
     top -= pixel;
     right += pixel;
     bottom += pixel;
-}
-
-Things things_in_view(const Scene& scene, const ViewLimits& limits, const CameraMotion& camera,
-                      double seconds) {
-    return things_in_view(all_things(scene), limits, camera, seconds);
 }
 
 Things things_in_view(const Things& all, const ViewLimits& limits, const CameraMotion& camera,

@@ -25,12 +25,8 @@ struct ViewLimits {
     double left, top, right, bottom;
 };
 
-/// All that can come into view within `seconds` before and after the middle of a movement, and perhaps a
-/// little more.
-Things things_in_view(const Scene& scene, const ViewLimits& limits, const CameraMotion& camera,
-                      double seconds);
-
-/// Those of `things`, likewise.
+/// Those of `things` that can come into view within `seconds` before and after the middle of a movement, and
+/// perhaps a little more.
 Things things_in_view(const Things& things, const ViewLimits& limits, const CameraMotion& camera,
                       double seconds);
 

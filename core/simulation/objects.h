@@ -19,6 +19,10 @@ struct PixelBox {
     bool empty() const { return left > right || top > bottom; }
 };
 
+/// Pixels that a convex body with these corners (frame C) can touch. A body that reaches behind the camera
+/// may touch any.
+PixelBox box_of(std::span<const Eigen::Vector3d> corners, const Intrinsics& camera);
+
 /// Plane through the camera centre with its normal n in frame C, scaled so that n·(x, y, 1) is in pixels;
 /// which share of a pixel is on its positive side.
 struct EdgePlane {
@@ -58,7 +62,6 @@ class SeenObject {
     virtual Columns filled(const RowRays&) const { return {0, -1}; }
     /// A row of the box; only the rays of its `columns` are read.
     virtual void paint(const RowRays& rays, Columns columns, const LightRow& out) = 0;
-    void paint(const RowRays& rays, const LightRow& out) { paint(rays, columns(rays), out); }
 
   protected:
     /// Columns of a row within 1.5 px of the positive side of all `edges`, within the box; where edges are

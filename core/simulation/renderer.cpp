@@ -73,7 +73,7 @@ void Renderer::paint_row(View& view, const RowRays& rays, const Eigen::Isometry3
 void Renderer::paint_moving(const CameraMotion& motion) {
     const int height = camera().height;
     const Things things =
-        things_in_view(scene_, limits_, motion, 0.5 * (shutter_.readout + shutter_.exposure));
+        things_in_view(all_things(scene_), limits_, motion, 0.5 * (shutter_.readout + shutter_.exposure));
     const ShutterSampling sampling = shutter_sampling(
         shutter_, height,
         image_speed(camera(), motion, distance_to_nearest(things, motion.T_WC.translation())), blur_);

@@ -57,9 +57,7 @@ double lowest(const Cylinder& c) {
 
 void add_robot(Scene& scene, const RobotPlace& place) {
     const double scale = place.height / model_height;
-    Eigen::Isometry3d T_WR = Eigen::Isometry3d::Identity();
-    T_WR.linear() = Eigen::AngleAxisd(place.pose.theta, Vector3d::UnitZ()).toRotationMatrix();
-    T_WR.translation() = Vector3d(place.pose.x, place.pose.y, 0.0);
+    Eigen::Isometry3d T_WR = on_ground(place.pose);
     if (place.fallen) {
         // Its up becomes ahead, its front the ground.
         T_WR.linear() = T_WR.linear() * Eigen::AngleAxisd(std::numbers::pi / 2.0, Vector3d::UnitY());

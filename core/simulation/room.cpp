@@ -4,12 +4,11 @@ namespace goalmouth {
 
 using Eigen::Vector3d;
 
-Room::Room(const FieldLayout& layout, const SceneParameters& parameters)
-    : half_length_(layout.carpet_half_length + parameters.room_margin),
-      half_width_(layout.carpet_half_width + parameters.room_margin),
-      height_(parameters.room_height),
-      corners_{Vector3d(-half_length_, -half_width_, 0), Vector3d(half_length_, -half_width_, 0),
-               Vector3d(half_length_, half_width_, 0), Vector3d(-half_length_, half_width_, 0)} {}
+Room::Room(const FieldLayout& layout, const SceneParameters& parameters) : height_(parameters.room_height) {
+    const double x = layout.carpet_half_length + parameters.room_margin;
+    const double y = layout.carpet_half_width + parameters.room_margin;
+    corners_ = {Vector3d(-x, -y, 0), Vector3d(x, -y, 0), Vector3d(x, y, 0), Vector3d(-x, y, 0)};
+}
 
 void Room::add_walls(Scene& scene, const Rgb& colour) const {
     const Rgb skirting{70, 66, 66};

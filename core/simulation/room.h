@@ -15,9 +15,7 @@ class Room {
   public:
     Room(const FieldLayout& layout, const SceneParameters& parameters);
 
-    double half_length() const { return half_length_; }  // m, along x
-    double half_width() const { return half_width_; }    // m, along y
-    double height() const { return height_; }            // m
+    double height() const { return height_; }  // m
     /// Length of a side [m].
     double length(std::size_t side) const { return (corner(side + 1) - corner(side)).norm(); }
 
@@ -29,7 +27,7 @@ class Room {
   private:
     const Eigen::Vector3d& corner(std::size_t i) const { return corners_[i % 4]; }
 
-    double half_length_, half_width_, height_;
+    double height_;
     std::array<Eigen::Vector3d, 4> corners_;
 };
 

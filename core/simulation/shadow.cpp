@@ -1,6 +1,7 @@
 #include "core/simulation/shadow.h"
 
-#include <array>
+#include "core/geometry/segment.h"
+
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
@@ -17,13 +18,6 @@ constexpr double beyond_carpet = 3.0;        // m: where shadows are left out
 
 Vector2d cast(const Vector3d& point, const Vector3d& lamps) {
     return point.head<2>() - point.z() / lamps.z() * lamps.head<2>();
-}
-
-double distance_to_segment(const Vector2d& from, const Vector2d& to, const Vector2d& p) {
-    const Vector2d run = to - from;
-    const double length = run.squaredNorm();
-    const double t = length > 0.0 ? std::clamp((p - from).dot(run) / length, 0.0, 1.0) : 0.0;
-    return (from + t * run - p).norm();
 }
 
 }  // namespace
@@ -118,16 +112,8 @@ ShadowMap::ShadowMap(const Scene& scene, const Light& light) {
 }
 
 void ShadowMap::find_cells(const float* x, const float* y, int count, int* cells) const {
-    const Level& level = levels_.front();
-    const float left = level.origin_x, bottom = level.origin_y, scale = level.inverse_cell;
-    const auto last_x = static_cast<float>(level.width - 1);
-    const auto last_y = static_cast<float>(level.height - 1);
-    const int width = level.width;
-    for (int i = 0; i < count; ++i) {
-        const float cx = std::min(std::max((x[i] - left) * scale, 0.0F), last_x);
-        const float cy = std::min(std::max((y[i] - bottom) * scale, 0.0F), last_y);
-        cells[i] = static_cast<int>(cy) * width + static_cast<int>(cx);
-    }
+    const GroundGrid grid = levels_.front().grid;
+    for (int i = 0; i < count; ++i) cells[i] = grid.cell(x[i], y[i]);
 }
 
 void ShadowMap::add_level(double cell, double reach, const FieldLayout& layout) {
@@ -138,12 +124,13 @@ void ShadowMap::add_level(double cell, double reach, const FieldLayout& layout) 
     const double bottom = -half_y - cell;
     Level level;
     level.reach = static_cast<float>(reach);
-    level.inverse_cell = static_cast<float>(1.0 / cell);
-    level.origin_x = static_cast<float>(left);
-    level.origin_y = static_cast<float>(bottom);
-    level.width = static_cast<int>(std::ceil(2.0 * half_x / cell)) + 2;
-    level.height = static_cast<int>(std::ceil(2.0 * half_y / cell)) + 2;
-    level.heads.assign(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height), -1);
+    GroundGrid& grid = level.grid;
+    grid.inverse_cell = static_cast<float>(1.0 / cell);
+    grid.origin_x = static_cast<float>(left);
+    grid.origin_y = static_cast<float>(bottom);
+    grid.width = static_cast<int>(std::ceil(2.0 * half_x / cell)) + 2;
+    grid.height = static_cast<int>(std::ceil(2.0 * half_y / cell)) + 2;
+    level.heads.assign(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height), -1);
     const auto index = [&](double at, double origin, int count) {
         return std::clamp(static_cast<int>(std::floor((at - origin) / cell)), 1, count - 2);
     };
@@ -152,12 +139,12 @@ void ShadowMap::add_level(double cell, double reach, const FieldLayout& layout) 
         const double limit = s.reach() + reach + cell * std::sqrt(0.5);
         const Vector2d low = s.from().cwiseMin(s.to()).array() - limit;
         const Vector2d high = s.from().cwiseMax(s.to()).array() + limit;
-        for (int cy = index(low.y(), bottom, level.height); cy <= index(high.y(), bottom, level.height); ++cy)
-            for (int cx = index(low.x(), left, level.width); cx <= index(high.x(), left, level.width); ++cx) {
+        for (int cy = index(low.y(), bottom, grid.height); cy <= index(high.y(), bottom, grid.height); ++cy)
+            for (int cx = index(low.x(), left, grid.width); cx <= index(high.x(), left, grid.width); ++cx) {
                 const Vector2d middle(left + (cx + 0.5) * cell, bottom + (cy + 0.5) * cell);
-                if (distance_to_segment(s.from(), s.to(), middle) > limit) continue;
+                if (distance_to_segment<2>(s.from(), s.to(), middle) > limit) continue;
                 std::int32_t& head =
-                    level.heads[static_cast<std::size_t>(cy) * static_cast<std::size_t>(level.width) +
+                    level.heads[static_cast<std::size_t>(cy) * static_cast<std::size_t>(grid.width) +
                                 static_cast<std::size_t>(cx)];
                 entries_.push_back({static_cast<std::uint32_t>(i), head});
                 head = static_cast<std::int32_t>(entries_.size()) - 1;

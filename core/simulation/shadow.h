@@ -2,6 +2,7 @@
 
 #include "core/geometry/cylinder.h"
 #include "core/simulation/coverage.h"
+#include "core/simulation/ground_grid.h"
 #include "core/simulation/light.h"
 #include "core/simulation/scene.h"
 
@@ -88,7 +89,7 @@ class ShadowMap {
     /// First of the list of shadows that a pixel within `radius` [m] of a ground point can touch; none: −1.
     int first(float x, float y, float radius) const {
         for (const Level& level : levels_)
-            if (radius < level.reach) return level.heads[static_cast<std::size_t>(level.cell(x, y))];
+            if (radius < level.reach) return level.heads[static_cast<std::size_t>(level.grid.cell(x, y))];
         return -1;  // a pixel of metres: at the horizon
     }
     /// Share of the lamps' light that a pixel loses to the shadows of a list. Where several fall, the deepest
@@ -102,18 +103,9 @@ class ShadowMap {
 
   private:
     struct Level {
-        float reach, inverse_cell, origin_x, origin_y;
-        int width, height;
+        float reach;
+        GroundGrid grid;                  // its rim is empty
         std::vector<std::int32_t> heads;  // of each cell's list in entries_
-
-        /// Points beyond the map fall into its rim, which is empty.
-        int cell(float x, float y) const {
-            const float cx =
-                std::min(std::max((x - origin_x) * inverse_cell, 0.0F), static_cast<float>(width - 1));
-            const float cy =
-                std::min(std::max((y - origin_y) * inverse_cell, 0.0F), static_cast<float>(height - 1));
-            return static_cast<int>(cy) * width + static_cast<int>(cx);
-        }
     };
     struct Entry {
         std::uint32_t shadow;

@@ -9,7 +9,7 @@ namespace {
 constexpr int samples_across = 7;
 constexpr int samples_along = 48;
 
-/// A tube that may hide a post from one place: hit() with all that does not depend on the ray worked out.
+/// A tube that may hide a post from one place: all that does not depend on the ray is worked out once.
 class Occluder {
   public:
     Occluder(const Cylinder& cylinder, const Eigen::Vector3d& eye)
@@ -100,9 +100,10 @@ Shares shares_of(const Scene& scene, const Intrinsics& camera, const Eigen::Isom
             const Eigen::Vector3d point =
                 post.base + along * post.length * post.axis +
                 post.radius * ((1.0 - across) * outline.left_contact + across * outline.right_contact);
-            const auto pixel = project(camera, T_CW * point);
+            const Eigen::Vector3d point_C = T_CW * point;
+            const auto pixel = project(camera, point_C);
             if (!pixel || pixel->x() < -0.5 || pixel->y() < -0.5 || pixel->x() > camera.width - 0.5 ||
-                pixel->y() > camera.height - 0.5)
+                pixel->y() > camera.height - 0.5 || folds_back(camera, point_C.head<2>() / point_C.z()))
                 continue;
             ++inside;
             const Eigen::Vector3d ray = point - eye;
@@ -123,21 +124,6 @@ Shares shares_of(const Scene& scene, const Intrinsics& camera, const Eigen::Isom
 }
 
 }  // namespace
-
-std::optional<double> hit(const Cylinder& cylinder, const Eigen::Vector3d& from,
-                          const Eigen::Vector3d& direction) {
-    const Eigen::Vector3d to_base = from - cylinder.base;
-    const Eigen::Vector3d d = direction - direction.dot(cylinder.axis) * cylinder.axis;
-    const Eigen::Vector3d p = to_base - to_base.dot(cylinder.axis) * cylinder.axis;
-    const double a = d.squaredNorm();
-    const double b = d.dot(p);
-    const double discriminant = b * b - a * (p.squaredNorm() - cylinder.radius * cylinder.radius);
-    if (a <= 0.0 || discriminant < 0.0) return std::nullopt;
-    const double t = (-b - std::sqrt(discriminant)) / a;
-    const double height = (to_base + t * direction).dot(cylinder.axis);
-    if (t <= 0.0 || height < 0.0 || height > cylinder.length) return std::nullopt;
-    return t;
-}
 
 std::optional<double> hit(const Ball& ball, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
     const Eigen::Vector3d p = from - ball.centre;

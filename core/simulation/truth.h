@@ -37,10 +37,8 @@ struct Truth {
 /// across the silhouette, so `inside` and `visible` are good to about a hundredth.
 std::vector<TruePost> true_posts(const Scene& scene, const Intrinsics& camera, const Eigen::Isometry3d& T_WC);
 
-/// Distance along the ray from…from + t·direction (any length, t > 0) to a cylinder's side, as t; nothing
-/// where it misses.
-std::optional<double> hit(const Cylinder& cylinder, const Eigen::Vector3d& from,
-                          const Eigen::Vector3d& direction);
+/// Distance along the ray from…from + t·direction (any length, t > 0) to a ball, as t; nothing where it
+/// misses.
 std::optional<double> hit(const Ball& ball, const Eigen::Vector3d& from, const Eigen::Vector3d& direction);
 
 }  // namespace goalmouth

@@ -29,8 +29,6 @@ class View {
     std::span<const SeenObject::Columns> uncovered() const { return uncovered_; }
     void paint(const LightRow& out);
 
-    void clear() { seen_.clear(); }
-
   private:
     struct Seen {
         std::unique_ptr<SeenObject> object;

@@ -31,13 +31,6 @@ Eigen::Vector3d normal_vector(double sigma, Random& random) {
 
 }  // namespace
 
-Eigen::Isometry3d on_ground(const Pose2& pose) {
-    Eigen::Isometry3d T_WB = Eigen::Isometry3d::Identity();
-    T_WB.linear() = Eigen::AngleAxisd(pose.theta, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    T_WB.translation() = Eigen::Vector3d(pose.x, pose.y, 0.0);
-    return T_WB;
-}
-
 Walker::Walker(const WalkParameters& parameters, const Field& field, Route route, Random run)
     : parameters_(parameters),
       goals_{Eigen::Vector2d(-field.length / 2.0, 0.0), Eigen::Vector2d(field.length / 2.0, 0.0)},

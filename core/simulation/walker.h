@@ -8,6 +8,10 @@
 #include "core/simulation/odometry_model.h"
 #include "core/simulation/route.h"
 
+#include <array>
+#include <cstdint>
+
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 namespace goalmouth {
@@ -115,9 +119,6 @@ class Walker {
     double pan_rate_ = 0.0, tilt_rate_ = 0.0;  // rad/s, until the next
     int goal_ = -1;                            // looked at: index, −1 none
 };
-
-/// T_WB of a body on the ground.
-Eigen::Isometry3d on_ground(const Pose2& pose);
 
 /// What joint angles and inertial sensors make of the camera's pose in the body: off by one bias a run and
 /// noise each frame.

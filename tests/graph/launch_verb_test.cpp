@@ -93,6 +93,20 @@ TEST_F(Verb, AWrongValueOfAModuleIsExitCode2) {
     EXPECT_THAT(processes(), IsEmpty());
 }
 
+TEST_F(Verb, AnEvaluationOfWhatIsNotThereIsExitCode2) {
+    const std::string json = (folder_.path() / "out.json").string();
+    auto scene = run({"evaluate", "paper", "--scene", "flatt", "--json", json});
+    EXPECT_EQ(scene->wait(), 2);
+    EXPECT_TRUE(scene->wrote("did you mean 'flat'")) << scene->output();
+    auto frames = run({"evaluate", "paper", "--frames-per-cell", "0", "--json", json});
+    EXPECT_EQ(frames->wait(), 2);
+    EXPECT_TRUE(frames->wrote("--frames-per-cell")) << frames->output();
+    auto pictures = run({"evaluate", "images", (folder_.path() / "nowhere").string(), "--json", json});
+    EXPECT_EQ(pictures->wait(), 2);
+    EXPECT_TRUE(pictures->wrote("nowhere: no such folder")) << pictures->output();
+    EXPECT_FALSE(std::filesystem::exists(json));
+}
+
 TEST_F(Verb, AWrongGraphIsExitCode2) {
     auto unknown = run({"launch", "ransak"});
     EXPECT_EQ(unknown->wait(), 2);

@@ -1,7 +1,7 @@
 #include "core/imaging/colour_table_file.h"
 #include "core/imaging/file_error.h"
+#include "tests/support/evaluate_command.h"
 #include "tests/support/files.h"
-#include "tests/tools_evaluate/evaluate_command.h"
 #include "tools/evaluate/file_hash.h"
 
 #include <filesystem>
@@ -88,17 +88,23 @@ TEST_F(Merge, RefusesTheSameFramesTwice) {
 
 TEST_F(Merge, RefusesPartsOfAnotherWhole) {
     const auto other = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> with = {"--scene", "flat,match", "--shard", "2/4"};
+        std::vector<std::string> with = {"--shard", "2/4"};
         with.insert(with.end(), more.begin(), more.end());
         EXPECT_EQ(small_paper("other.json", with), 0);
         return refused({shards[0], path("other.json")});
     };
     for (const auto& [more, what] : std::vector<std::pair<std::vector<std::string>, std::string>>{
-             {{"--seed", "9"}, "seed"}, {{"--set", "detection.ransac.attempts=7"}, "settings"}}) {
+             {{"--scene", "flat,match", "--seed", "9"}, "seed"},
+             {{"--scene", "flat,match", "--set", "detection.ransac.attempts=7"}, "settings"},
+             {{"--scene", "flat,match", "--detectors", "ransac"}, "detectors"},
+             {{"--scene", "flat"}, "scene"},
+             {{"--scene", "flat,lit"}, "scene"}}) {
         const std::string said = other(more);
         EXPECT_THAT(said, HasSubstr("other.json"));
         EXPECT_THAT(said, HasSubstr(what));
     }
+    size = "320x240";
+    EXPECT_THAT(other({"--scene", "flat,match"}), testing::AllOf(HasSubstr("other.json"), HasSubstr("size")));
     Json j = json("2.json");
     j["version"] = "0.0.0";
     write("other.json", j.dump());

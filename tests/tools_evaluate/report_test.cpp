@@ -1,5 +1,5 @@
+#include "tests/support/evaluate_command.h"
 #include "tests/support/well_formed.h"
-#include "tests/tools_evaluate/evaluate_command.h"
 
 #include <filesystem>
 #include <set>

@@ -1,5 +1,7 @@
 #include "tools/evaluate/scored_overlay.h"
 
+#include "tests/support/upright_post.h"
+
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -7,19 +9,8 @@
 namespace goalmouth {
 namespace {
 
-/// Sides at x = left and right, from row 100 to row 300.
-ReferencePost truth_at(double left, double right) {
-    return {{left, 100}, {left, 300}, {right, 100}, {right, 300}};
-}
-
-Post post_at(double left, double right) {
-    Post post;
-    post.left_top = {left, 100};
-    post.left_base = {left, 300};
-    post.right_top = {right, 100};
-    post.right_base = {right, 300};
-    return post;
-}
+using test::post_at;
+using test::truth_at;
 
 cv::Scalar at(const cv::Mat& picture, int x, int y) {
     const auto& pixel = picture.at<cv::Vec3b>(y, x);

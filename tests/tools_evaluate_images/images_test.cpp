@@ -1,38 +1,30 @@
-#include "tools/evaluate/images.h"
-
 #include "core/imaging/colour_table_file.h"
 #include "core/imaging/conversion.h"
-#include "core/process/configuration.h"
-#include "tests/support/data.h"
+#include "tests/support/evaluate_command.h"
 #include "tests/support/post_scene.h"
 #include "tools/evaluate/images_report.h"
 
-#include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 namespace goalmouth {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
+using test::message_of;
 using test::PostScene;
-using test::TemporaryFolder;
 using testing::HasSubstr;
 
 /// Pictures of one post each, at different places, and one without, annotated as they are drawn.
-class Images : public testing::Test {
+class Images : public test::EvaluateCommand {
   protected:
     Images() {
-        annotations["images"] = json::array();
-        annotations["negatives"] = json::array();
+        annotations["images"] = Json::array();
+        annotations["negatives"] = Json::array();
         for (int i = 0; i < 3; ++i) {
             PostScene scene;
             scene.post_left = 90 + 60 * i;
@@ -59,44 +51,22 @@ class Images : public testing::Test {
         cv::imwrite(path(name), bgr_from_yuyv(test::scene_image(scene).view()));
     }
     void write_annotations() const { write("annotations.json", annotations.dump()); }
-    std::string path(const std::string& name) const { return (folder.path() / name).string(); }
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path(name)) << text;
-        return path(name);
-    }
-    std::string text(const std::string& name) const {
-        std::ostringstream all;
-        all << std::ifstream(path(name)).rdbuf();
-        return all.str();
-    }
-
-    int run(std::vector<std::string> arguments) const {
-        CLI::App app;
-        Action action;
-        add_evaluate_images(app, action);
+    int images(std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "images");
-        std::reverse(arguments.begin(), arguments.end());
-        app.parse(arguments);
-        return action();
+        return run(arguments);
     }
     /// With the scene's table and one detector.
-    int evaluate(std::vector<std::string> more) const {
+    int evaluate(std::vector<std::string> more) {
         more.insert(more.begin(), {folder.path().string(), "--detectors", "ransac", "--colours",
                                    path("table.gmct"), "--json", path("out.json")});
-        return run(more);
+        return images(more);
     }
-    std::string error_of(const std::vector<std::string>& more) const {
-        try {
-            evaluate(more);
-        } catch (const ConfigurationError& error) {
-            return error.what();
-        }
-        return "no error";
+    std::string error_of(const std::vector<std::string>& more) {
+        return message_of([&] { evaluate(more); });
     }
-    json report() const { return json::parse(std::ifstream(path("out.json"))); }
+    Json report() const { return Json::parse(text("out.json")); }
 
-    TemporaryFolder folder;
-    json annotations;
+    Json annotations;
 };
 
 TEST_F(Images, CountsWhatIsFoundMissedAndWrong) {
@@ -105,11 +75,11 @@ TEST_F(Images, CountsWhatIsFoundMissedAndWrong) {
         {"base_left", {20, 140}}, {"base_right", {40, 140}}, {"top_left", {20, 20}}, {"top_right", {40, 20}}};
     write_annotations();
     ASSERT_EQ(evaluate({}), 0);
-    const json all = report();
+    const Json all = report();
     EXPECT_EQ(all["what"], "images");
     EXPECT_TRUE(all["complete"]);
     ASSERT_EQ(all["sets"].size(), 1U);
-    const json& set = all["sets"][0];
+    const Json& set = all["sets"][0];
     EXPECT_EQ(set["set"], "drawn");
     EXPECT_EQ(set["pictures"], 4);
     EXPECT_EQ(set["posts"], 3);
@@ -121,7 +91,7 @@ TEST_F(Images, CountsWhatIsFoundMissedAndWrong) {
     EXPECT_NEAR(set["recall"].get<double>(), 2.0 / 3.0, 1e-12);
     // 16, 26 and 36 px wide, but for the one marked elsewhere with 20.
     std::vector<int> posts;
-    for (const json& one : set["by_width"]) posts.push_back(one["posts"].get<int>());
+    for (const Json& one : set["by_width"]) posts.push_back(one["posts"].get<int>());
     EXPECT_EQ(posts, (std::vector<int>{0, 1, 1, 1, 0}));
     EXPECT_EQ(all["pictures"].size(), 4U);
 }
@@ -132,7 +102,7 @@ TEST_F(Images, IgnoresWhatTheAnnotationsSay) {
     annotations["negatives"][1]["ignore"] = {{80, 0, 120, 240}};
     write_annotations();
     ASSERT_EQ(evaluate({}), 0);
-    const json set = report()["sets"][0];
+    const Json set = report()["sets"][0];
     EXPECT_EQ(set["ignored"], 1);
     EXPECT_EQ(set["wrong"], 0);
 }
@@ -146,7 +116,7 @@ TEST_F(Images, AreTheSameForAnyNumberOfJobs) {
 
 TEST_F(Images, LearnTablesFromTheOtherFolds) {
     ASSERT_EQ(
-        run({folder.path().string(), "--detectors", "ransac", "--folds", "2", "--json", path("out.json")}),
+        images({folder.path().string(), "--detectors", "ransac", "--folds", "2", "--json", path("out.json")}),
         0);
     EXPECT_EQ(report()["sets"][0]["found"], 3);
     EXPECT_EQ(report()["colours"]["folds"], 2);
@@ -163,7 +133,7 @@ TEST_F(Images, TakeACameraForEachSet) {
 }
 
 TEST_F(Images, ReportShowsFailuresAndEveryOverlay) {
-    annotations["images"][0]["posts"] = json::array();
+    annotations["images"][0]["posts"] = Json::array();
     write_annotations();
     ASSERT_EQ(evaluate({"--report", path("report")}), 0);
     const std::string page = text("report/index.html");
@@ -184,7 +154,7 @@ TEST_F(Images, MistakesAreNamedAndLeaveOldResultsAlone) {
     EXPECT_THAT(error_of({"--set", "drwan"}), HasSubstr("did you mean 'drawn'"));
     EXPECT_THAT(
         [&] {
-            run({folder.path().string(), "--detectors", "ransak"});
+            images({folder.path().string(), "--detectors", "ransak"});
         },
         testing::ThrowsMessage<ConfigurationError>(HasSubstr("ransak")));
     EXPECT_THAT(error_of({"--annotations", path("no.json")}), HasSubstr("no.json"));
@@ -206,14 +176,7 @@ TEST_F(Images, MistakesAreNamedAndLeaveOldResultsAlone) {
 
 TEST_F(Images, OfAnEmptyFolderOrNoneIsAMistake) {
     std::filesystem::create_directory(path("empty"));
-    const auto error = [&](const std::string& where) {
-        try {
-            run({where});
-        } catch (const ConfigurationError& e) {
-            return std::string(e.what());
-        }
-        return std::string();
-    };
+    const auto error = [&](const std::string& where) { return message_of([&] { images({where}); }); };
     EXPECT_THAT(error(path("empty")), HasSubstr("empty: is empty"));
     EXPECT_THAT(error(path("nowhere")), HasSubstr("nowhere: no such folder"));
     EXPECT_THAT(error(path("post0.png")), HasSubstr("post0.png: is a file"));

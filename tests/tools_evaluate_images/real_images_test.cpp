@@ -26,7 +26,8 @@ void expect_at_least(const ImageScore& score, double recall, double precision) {
     EXPECT_GE(score.precision(), precision);
 }
 
-// Bounds: what was measured, less one post.
+// Bounds: what was measured, less one post or one false one; on the NAO's pictures the tuned settings have
+// nothing to spare.
 
 TEST(RealImages, DarwinOp2014) {
     GOALMOUTH_NEEDS_DATA(data);
@@ -40,6 +41,8 @@ TEST(RealImages, DarwinOp2014) {
 TEST(RealImages, NaoUva2013) {
     GOALMOUTH_NEEDS_DATA(data);
     const ImageSetResult set = evaluated(data, "nao_uva_2013");
+    EXPECT_EQ(set.score("ransac").posts, 18);
+    EXPECT_EQ(set.score("ransac").negatives, 12);
     expect_at_least(set.score("ransac"), 0.88, 0.94);
     expect_at_least(set.score("tuned"), 0.94, 0.94);
 }

@@ -1,17 +1,19 @@
 #include "tools/evaluate/report/figure.h"
 
-#include "core/process/configuration.h"
 #include "tests/support/data.h"
 #include "tests/support/files.h"
+#include "tests/support/refusal.h"
 #include "tests/support/well_formed.h"
 #include "tests/tools_evaluate_report/path_variable.h"
 #include "tools/evaluate/report/field_figure.h"
 #include "tools/evaluate/report/figure_script.h"
 #include "tools/evaluate/report/gnuplot.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,24 +23,12 @@ namespace goalmouth {
 namespace {
 
 using test::count;
+using test::message_of;
+using test::read_text;
 using testing::HasSubstr;
 using testing::Not;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-std::string text_of(const std::filesystem::path& file) {
-    const auto bytes = read_bytes(file);
-    return {bytes.begin(), bytes.end()};
-}
-
-std::string message_of(const std::function<void()>& work) {
-    try {
-        work();
-    } catch (const ConfigurationError& error) {
-        return error.what();
-    }
-    return "nothing was thrown";
-}
 
 Figure two_curves() {
     Figure figure;
@@ -61,6 +51,11 @@ int pixels_like(const cv::Mat& picture, int r, int g, int b) {
         }
     }
     return n;
+}
+
+/// Pixels that are not the page's white.
+int drawn_pixels(const cv::Mat& picture) {
+    return picture.rows * picture.cols - pixels_like(picture, 255, 255, 255);
 }
 
 TEST(FigureScript, HoldsTheDataAsPoints) {
@@ -125,7 +120,7 @@ TEST(FigureScript, RefusesSeriesOfDifferentLengths) {
 TEST(Figure, DrawsEveryPointIntoTheSvg) {
     const test::TemporaryFolder folder;
     const DrawnFigure drawn = draw_figure(two_curves(), folder.path(), "rate");
-    const std::string svg = text_of(drawn.svg);
+    const std::string svg = read_text(drawn.svg);
     EXPECT_EQ(test::fault_in_markup(svg), "");
     // Three points and one in the legend, as filled circles and squares.
     EXPECT_EQ(count(svg, "<use xlink:href='#gpPt6' transform"), 4u);
@@ -172,7 +167,7 @@ TEST(Figure, ShowsEveryTextLiterally) {
     figure.series[1].name = "two\nlines\tand \x01 control, \xFF";
     figure.x_ticks = {{60, hostile}};
     const DrawnFigure drawn = draw_figure(figure, folder.path(), "hostile");
-    const std::string svg = text_of(drawn.svg);
+    const std::string svg = read_text(drawn.svg);
     EXPECT_EQ(test::fault_in_markup(svg), "");
     EXPECT_EQ(count(svg, escaped), 5u);  // title, labels, legend and tick
     EXPECT_GE(count(svg, "\\n %s `date` $x é±σ²"), 5u);
@@ -201,7 +196,8 @@ TEST(Figure, WithoutAnyPointSaysSo) {
     figure.diagonal = true;
     figure.series.push_back({.name = "none", .x = {1, 2}, .y = {nan, nan}, .error = {nan, 1}});
     figure.series.push_back({.name = "empty"});
-    EXPECT_THAT(text_of(draw_figure(figure, folder.path(), "empty").svg), HasSubstr("<text>no data</text>"));
+    EXPECT_THAT(read_text(draw_figure(figure, folder.path(), "empty").svg),
+                HasSubstr("<text>no data</text>"));
 }
 
 TEST(Figure, OfEveryKindIsDrawn) {
@@ -222,7 +218,19 @@ TEST(Figure, OfEveryKindIsDrawn) {
                                          .style = {.kind = kind, .dashed = hollow, .hollow = hollow}});
             figure.series.push_back({.x = {2}, .y = {2}, .style = {.colour = SeriesStyle::neutral}});
             figure.series.push_back({.x = {2}, .y = {2}, .style = {.faint = true}});
-            EXPECT_NO_THROW(draw_figure(figure, folder.path(), "every"));
+            const DrawnFigure drawn = draw_figure(figure, folder.path(), "every");
+            const std::string svg = read_text(drawn.svg);
+            EXPECT_EQ(test::fault_in_markup(svg), "");
+            EXPECT_THAT(svg, Not(HasSubstr("no data")));
+            const cv::Mat png = cv::imread(drawn.png.string());
+            EXPECT_EQ(png.cols, 2 * figure.width);
+            // Each kind in the next colour of the palette; bars are pale where they are filled.
+            EXPECT_THAT(svg, HasSubstr("rgb(204, 121, 167)"));
+            for (const auto& [r, g, b] :
+                 std::vector<std::array<int, 3>>{{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {230, 159, 0}})
+                EXPECT_GT(pixels_like(png, r, g, b), 200)
+                    << r << ' ' << g << ' ' << b << (logarithmic ? ", log" : "")
+                    << (hollow ? ", hollow" : "");
         }
     }
 }
@@ -231,7 +239,9 @@ TEST(Figure, OfAConstantIsDrawn) {
     const test::TemporaryFolder folder;
     Figure figure;
     figure.series.push_back({.name = "always 0", .x = {5}, .y = {0}});
-    EXPECT_NO_THROW(draw_figure(figure, folder.path(), "zero"));
+    const std::string svg = read_text(draw_figure(figure, folder.path(), "zero").svg);
+    EXPECT_EQ(test::fault_in_markup(svg), "");
+    EXPECT_EQ(count(svg, "<use xlink:href='#gpPt6' transform"), 2u) << "the point and its like in the legend";
 }
 
 TEST(FieldFigure, ShowsLinesGoalsAndPaths) {
@@ -243,6 +253,14 @@ TEST(FieldFigure, ShowsLinesGoalsAndPaths) {
     const DrawnFigure drawn = draw_figure(figure, folder.path(), "walks");
     const cv::Mat png = cv::imread(drawn.png.string());
     EXPECT_GT(pixels_like(png, 31, 35, 40), 1500);
+    const cv::Mat field = cv::imread(draw_figure(field_figure(Field{}, "Walks"), folder.path(), "f").png);
+    Figure nothing;
+    nothing.title = "Walks";
+    const cv::Mat bare = cv::imread(draw_figure(nothing, folder.path(), "n").png);
+    const auto path_pixels = [](const cv::Mat& picture) { return pixels_like(picture, 0, 114, 178); };
+    EXPECT_EQ(path_pixels(field), 0);
+    EXPECT_GT(path_pixels(png), 50) << "the path";
+    EXPECT_GT(drawn_pixels(field), drawn_pixels(bare) + 5000) << "lines, circle and goals";
 }
 
 TEST(Gnuplot, MissingIsOneSentenceThatNamesThePackage) {

@@ -1,10 +1,9 @@
 #include "tools/evaluate/report/report_folder.h"
 
-#include "core/process/configuration.h"
 #include "tests/support/data.h"
 #include "tests/support/files.h"
+#include "tests/support/refusal.h"
 
-#include <functional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -17,12 +16,9 @@ namespace goalmouth {
 namespace {
 
 namespace fs = std::filesystem;
+using test::message_of;
+using test::read_text;
 using testing::HasSubstr;
-
-std::string text_of(const fs::path& file) {
-    const auto bytes = read_bytes(file);
-    return {bytes.begin(), bytes.end()};
-}
 
 /// Names in a folder, those in folders below as well.
 std::set<std::string> names_in(const fs::path& folder) {
@@ -32,14 +28,25 @@ std::set<std::string> names_in(const fs::path& folder) {
     return names;
 }
 
-std::string message_of(const std::function<void()>& work) {
-    try {
-        work();
-    } catch (const ConfigurationError& error) {
-        return error.what();
+/// The process is nobody's while it lives, where it was the superuser's: nothing is closed to that one.
+class Unprivileged {
+  public:
+    Unprivileged() {
+        if (superuser_) {
+            EXPECT_EQ(::setresuid(65534, 65534, 0), 0);
+        }
     }
-    return "nothing was thrown";
-}
+    ~Unprivileged() {
+        if (superuser_) {
+            EXPECT_EQ(::setresuid(0, 0, 0), 0);
+        }
+    }
+    Unprivileged(const Unprivileged&) = delete;
+    Unprivileged& operator=(const Unprivileged&) = delete;
+
+  private:
+    bool superuser_ = ::geteuid() == 0;
+};
 
 void make_old_report(const fs::path& folder) {
     fs::create_directories(folder);
@@ -61,7 +68,7 @@ TEST(ReportFolder, AppearsWholeWhenPublished) {
     EXPECT_EQ(names_in(folder.path()),
               (std::set<std::string>{"deep", "deep/report", "deep/report/index.html", "deep/report/pictures",
                                      "deep/report/pictures/one.txt"}));
-    EXPECT_EQ(text_of(target / "index.html"), "page");
+    EXPECT_EQ(read_text(target / "index.html"), "page");
 }
 
 TEST(ReportFolder, ReplacesAnOldReportAndKeepsWhatItDidNotMake) {
@@ -71,9 +78,9 @@ TEST(ReportFolder, ReplacesAnOldReportAndKeepsWhatItDidNotMake) {
     ReportFolder report(target.string() + "/");
     report.write("index.html", "new page");
     report.write("b.svg", "new figure");
-    EXPECT_EQ(text_of(target / "index.html"), "old page");
+    EXPECT_EQ(read_text(target / "index.html"), "old page");
     report.publish();
-    EXPECT_EQ(text_of(target / "index.html"), "new page");
+    EXPECT_EQ(read_text(target / "index.html"), "new page");
     EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"report", "report/index.html", "report/a.svg",
                                                               "report/b.svg", "report/notes.txt"}));
 }
@@ -91,7 +98,7 @@ TEST(ReportFolder, LeavesTheOldReportWhenTheWorkFails) {
         },
         std::runtime_error);
     EXPECT_EQ(names_in(folder.path()), before);
-    EXPECT_EQ(text_of(target / "index.html"), "old page");
+    EXPECT_EQ(read_text(target / "index.html"), "old page");
 }
 
 TEST(ReportFolder, IsPutBackWhenTheMoveFailsInTheMiddle) {
@@ -110,8 +117,8 @@ TEST(ReportFolder, IsPutBackWhenTheMoveFailsInTheMiddle) {
                     testing::AllOf(HasSubstr("--report: "), HasSubstr(target.string())));
     }
     EXPECT_EQ(names_in(folder.path()), before);
-    EXPECT_EQ(text_of(target / "a.svg"), "old figure");
-    EXPECT_EQ(text_of(target / "index.html"), "old page");
+    EXPECT_EQ(read_text(target / "a.svg"), "old figure");
+    EXPECT_EQ(read_text(target / "index.html"), "old page");
 }
 
 TEST(ReportFolder, DoesNotReplaceAFolderByAFile) {
@@ -133,7 +140,7 @@ TEST(ReportFolder, RefusesAFileBeforeTheWork) {
                   " cannot be made: " + file.string() + " is a file");
     EXPECT_THAT(message_of([&] { ReportFolder report(file); }), HasSubstr("is a file"));
     EXPECT_THAT(message_of([] { expect_report_folder("", "--out"); }), HasSubstr("--out: "));
-    EXPECT_EQ(text_of(file), "text");
+    EXPECT_EQ(read_text(file), "text");
 }
 
 TEST(ReportFolder, MakesNothingWhenOnlyAsked) {
@@ -143,17 +150,23 @@ TEST(ReportFolder, MakesNothingWhenOnlyAsked) {
 }
 
 TEST(ReportFolder, RefusesAFolderThatCannotBeWritten) {
-    if (::geteuid() == 0) {
-        // Nothing is closed to the superuser but what the kernel keeps.
-        EXPECT_THAT(message_of([] { ReportFolder report("/proc/self/report"); }), HasSubstr("/proc/"));
-        return;
-    }
     const test::TemporaryFolder folder;
-    fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
-    EXPECT_THAT(message_of([&] { expect_report_folder(folder.path() / "report"); }),
-                HasSubstr("cannot be made"));
-    EXPECT_THAT(message_of([&] { expect_report_folder(folder.path()); }), HasSubstr("cannot be written"));
+    fs::permissions(folder.path(), fs::perms{0555});
+    {
+        const Unprivileged user;
+        EXPECT_EQ(message_of([&] { expect_report_folder(folder.path() / "report"); }),
+                  "--report: the folder " + (folder.path() / "report").string() +
+                      " cannot be made: " + folder.path().string() + ": Permission denied");
+        EXPECT_EQ(message_of([&] { expect_report_folder(folder.path()); }),
+                  "--report: the folder " + folder.path().string() +
+                      " cannot be written: " + folder.path().string() + ": Permission denied");
+        EXPECT_THAT(message_of([&] { ReportFolder report(folder.path() / "report"); }),
+                    HasSubstr("cannot be made"));
+    }
+    EXPECT_TRUE(fs::is_empty(folder.path()));
     fs::permissions(folder.path(), fs::perms::owner_all);
+    // Closed to everybody, the superuser included.
+    EXPECT_THAT(message_of([] { ReportFolder report("/proc/self/report"); }), HasSubstr("/proc/"));
 }
 
 TEST(ReportFolder, TakesTheCurrentFolderAndLinks) {

@@ -6,9 +6,9 @@
 #include "core/process/paths.h"
 #include "tools/evaluate/parallel.h"
 #include "tools/goalmouth/colours_train.h"
+#include "tools/goalmouth/temporary_folder.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -18,27 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder for the tables of one set, gone with the object.
-class TableFolder {
-  public:
-    TableFolder() {
-        std::string pattern = (fs::temp_directory_path() / "goalmouth-tables-XXXXXX").string();
-        if (mkdtemp(pattern.data()) == nullptr)
-            throw ConfigurationError("cannot make a folder in " + fs::temp_directory_path().string());
-        path_ = pattern;
-    }
-    ~TableFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TableFolder(const TableFolder&) = delete;
-    TableFolder& operator=(const TableFolder&) = delete;
-    fs::path of_fold(int fold) const { return path_ / (std::to_string(fold) + ".gmct"); }
-
-  private:
-    fs::path path_;
-};
-
+fs::path table_of_fold(const TemporaryFolder& tables, int fold) {
+    return tables.path() / (std::to_string(fold) + ".gmct");
+}
 Annotations read_annotations(const ImagesOptions& options) {
     if (!fs::exists(options.folder)) throw ConfigurationError(options.folder.string() + ": no such folder");
     if (!fs::is_directory(options.folder))
@@ -95,7 +77,7 @@ fs::path camera_of(const ImagesOptions& options, const std::string& set) {
 }
 
 void learn_tables(const std::vector<LabelledScene>& scenes, const std::string& set,
-                  const ImagesOptions& options, const TableFolder& folder) {
+                  const ImagesOptions& options, const TemporaryFolder& folder) {
     for_each_in_parallel(
         static_cast<std::size_t>(options.folds), options.jobs, [&](std::size_t, std::size_t fold) {
             const Fold left_out{static_cast<int>(fold), options.folds};
@@ -104,14 +86,14 @@ void learn_tables(const std::vector<LabelledScene>& scenes, const std::string& s
                 if (!left_out.holds(i)) others.push_back(scenes[i]);
             const ColourTrainer trainer = learn_colours(others, {}, "set \"" + set + "\"");
             save_colour_table(trainer.table(6, set + " without fold " + std::to_string(fold)),
-                              folder.of_fold(left_out.index));
+                              table_of_fold(folder, left_out.index));
         });
 }
 
 /// The chains of one thread, each made when it is needed first.
 class Chains {
   public:
-    Chains(const ImagesOptions& options, fs::path camera, const TableFolder& tables)
+    Chains(const ImagesOptions& options, fs::path camera, const TemporaryFolder& tables)
         : options_(options), camera_(std::move(camera)), tables_(tables) {}
 
     ImageChain& chain(const std::string& detector, std::size_t place) {
@@ -121,7 +103,8 @@ class Chains {
             ImageChainOptions chain_options;
             chain_options.graph = detector;
             chain_options.camera = camera_;
-            chain_options.colours = options_.colours.empty() ? tables_.of_fold(fold) : options_.colours;
+            chain_options.colours =
+                options_.colours.empty() ? table_of_fold(tables_, fold) : options_.colours;
             chain = std::make_unique<ImageChain>(chain_options);
         }
         return *chain;
@@ -130,7 +113,7 @@ class Chains {
   private:
     const ImagesOptions& options_;
     fs::path camera_;
-    const TableFolder& tables_;
+    const TemporaryFolder& tables_;
     std::map<std::pair<std::string, int>, std::unique_ptr<ImageChain>> chains_;
 };
 
@@ -140,7 +123,7 @@ ImageSetResult evaluate_set(const std::string& set, const std::vector<AnnotatedI
     ImageSetResult result{set, camera_of(options, set), {}, true};
     std::vector<LabelledScene> scenes;
     for (const AnnotatedImage& image : annotated) scenes.push_back(read_scene(image, annotations));
-    const TableFolder tables;
+    const TemporaryFolder tables;
     if (options.colours.empty()) learn_tables(scenes, set, options, tables);
 
     std::vector<Chains> workers;

@@ -1,5 +1,7 @@
 #include "core/evaluation/post_matching.h"
 
+#include "tests/support/upright_post.h"
+
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -9,19 +11,8 @@
 namespace goalmouth {
 namespace {
 
-/// Upright, edges at `left` and `right`, rows 100…300.
-ReferencePost truth_at(double left, double right, double top = 100.0, double base = 300.0) {
-    return {{left, top}, {left, base}, {right, top}, {right, base}};
-}
-
-Post post_at(double left, double right, double top = 100.0, double base = 300.0) {
-    Post post;
-    post.left_top = {left, top};
-    post.left_base = {left, base};
-    post.right_top = {right, top};
-    post.right_base = {right, base};
-    return post;
-}
+using test::post_at;
+using test::truth_at;
 
 PostMatching match(const std::vector<ReferencePost>& truth, const std::vector<Post>& posts,
                    const MatchingRule& rule = {}) {

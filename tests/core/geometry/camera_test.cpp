@@ -129,5 +129,53 @@ TEST(GroundPoint, UndoesProjection) {
     }
 }
 
+TEST(FoldsBack, WhereTheRadiusNoLongerGrows) {
+    EXPECT_FALSE(folds_back(Intrinsics{}, {50.0, 0.0})) << "no distortion";
+    Intrinsics barrel;
+    barrel.distortion = {-0.2, 0, 0, 0, 0};
+    const double fold = std::sqrt(1.0 / 0.6);  // 1 + 3·k1·r² = 0
+    for (const double angle : {0.0, 1.0, 2.5, 4.0}) {
+        const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
+        EXPECT_FALSE(folds_back(barrel, 0.999 * fold * out));
+        EXPECT_TRUE(folds_back(barrel, 1.001 * fold * out));
+        // Beyond r = √5 the radius grows again, on the other side.
+        EXPECT_TRUE(folds_back(barrel, 2.5 * out));
+        EXPECT_TRUE(folds_back(barrel, 20.0 * out));
+    }
+}
+
+TEST(FoldsBack, AlsoBeyondAFoldThatUnfolds) {
+    // 1 − 1.2·s + 0.3·s²: negative between s = 1.18 and 2.82 alone.
+    Intrinsics camera;
+    camera.distortion = {-0.4, 0.06, 0, 0, 0};
+    EXPECT_FALSE(folds_back(camera, {std::sqrt(1.17), 0.0}));
+    EXPECT_TRUE(folds_back(camera, {std::sqrt(1.19), 0.0}));
+    EXPECT_TRUE(folds_back(camera, {std::sqrt(4.0), 0.0}));
+    // With k3 as well: 1 − 3.6·s + 3.5·s² − 0.7·s³, negative about s = 0.65 and far out.
+    camera.distortion = {-1.2, 0.7, 0, 0, -0.1};
+    EXPECT_FALSE(folds_back(camera, {std::sqrt(0.4), 0.0}));
+    EXPECT_TRUE(folds_back(camera, {std::sqrt(0.65), 0.0}));
+    EXPECT_TRUE(folds_back(camera, {std::sqrt(1.0), 0.0}));
+    // A dip that stays above 0 folds nothing: 1 − 0.9·s + 0.3·s².
+    camera.distortion = {-0.3, 0.06, 0, 0, 0};
+    EXPECT_FALSE(folds_back(camera, {std::sqrt(1.5), 0.0}));
+    EXPECT_FALSE(folds_back(camera, {3.0, 1.0}));
+}
+
+TEST(FoldsBack, AgreesWithTheDistortedRadiusOnTheWayOut) {
+    const Intrinsics camera = with_distortion();
+    const Eigen::Vector2d principal(camera.cx, camera.cy);
+    for (const double angle : {0.3, 1.9, 3.3, 5.0}) {
+        const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
+        double last = 0.0;
+        for (double r = 0.01; r < 4.0; r += 0.01) {
+            const double radius = (pixel_from_normalised(camera, r * out) - principal).norm();
+            if (radius < last) break;
+            last = radius;
+            ASSERT_FALSE(folds_back(camera, (r - 0.01) * out)) << r;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace goalmouth

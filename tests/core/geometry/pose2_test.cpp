@@ -73,5 +73,14 @@ TEST(Pose2, InterpolatesTheShortWayRound) {
     expect_same(interpolate(a, b, 0.5), {1, 2, pi});
 }
 
+TEST(Pose2, OnTheGroundIsTheSamePoseUpright) {
+    const Pose2 pose{1.0, -2.0, 0.7};
+    const Eigen::Isometry3d T = on_ground(pose);
+    const Eigen::Vector2d p(0.3, 0.4);
+    const Eigen::Vector3d moved = T * Eigen::Vector3d(p.x(), p.y(), 0.25);
+    EXPECT_LT((moved.head<2>() - transform(pose, p)).norm(), 1e-12);
+    EXPECT_NEAR(moved.z(), 0.25, 1e-12);
+}
+
 }  // namespace
 }  // namespace goalmouth

@@ -76,7 +76,8 @@ LightImage covered_by(Thing thing, const RayTable& rays, const Eigen::Isometry3d
     const Light light(plain_light());
     const auto seen = see(thing, light, rays, T_WC);
     return painted(rays, [&](int y, const RowRays& row, const LightRow& out) {
-        if (seen && y >= seen->box().top && y <= seen->box().bottom) seen->paint(row, out);
+        if (seen && y >= seen->box().top && y <= seen->box().bottom)
+            seen->paint(row, seen->columns(row), out);
     });
 }
 

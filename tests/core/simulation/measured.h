@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/geometry/pose2.h"
 #include "core/imaging/yuyv.h"
 #include "core/simulation/renderer.h"
+#include "tests/support/edge_at.h"
 
 #include <cmath>
 
@@ -60,10 +62,7 @@ inline YuyvImage render_plain(const Field& field, const SceneParameters& scene, 
 /// Camera at x, y on the field, heading theta.
 inline Eigen::Isometry3d camera_at(double x, double y, double theta, double height, double roll,
                                    double pitch) {
-    Eigen::Isometry3d T_WB = Eigen::Isometry3d::Identity();
-    T_WB.linear() = Eigen::AngleAxisd(theta, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    T_WB.translation() = Eigen::Vector3d(x, y, 0.0);
-    return T_WB * camera_in_body(height, roll, pitch);
+    return on_ground({x, y, theta}) * camera_in_body(height, roll, pitch);
 }
 
 /// Share of `inside` against `outside` in the luma of pixels first…last of a row (or column), summed: how
@@ -79,11 +78,6 @@ inline double covered_in_column(const YuyvImage& image, int column, int first, i
     double sum = 0.0;
     for (int y = first; y <= last; ++y) sum += (image.view().at(column, y).y - outside) / (inside - outside);
     return sum;
-}
-
-/// Where the line through a and b crosses a row.
-inline double x_at(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double row) {
-    return a.x() + (row - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
 }
 
 }  // namespace goalmouth::test

@@ -151,6 +151,8 @@ TEST(Processing, OddSizesAndWideRowsStayAsTheyAre) {
     for (int y = 0; y < 35; ++y) {
         for (int x = 0; x < 61; ++x) {
             ASSERT_EQ(wide.at(x, y).y, packed.view().at(x, y).y);
+            ASSERT_EQ(wide.at(x, y).cb, packed.view().at(x, y).cb);
+            ASSERT_EQ(wide.at(x, y).cr, packed.view().at(x, y).cr);
             ASSERT_NEAR(wide.at(x, y).cb, raw.view().at(x, y).cb, 40);
         }
         for (int i = raw.stride(); i < stride; ++i)

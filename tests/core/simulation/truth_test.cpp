@@ -233,17 +233,33 @@ TEST(TruePosts, PeopleInFrontHide) {
 }
 
 TEST(Hit, MeetsTheNearSide) {
-    const Cylinder post{{2.0, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), 1.0, 0.1};
-    const auto t = hit(post, {0, 0, 0.5}, {2, 0, 0});
-    ASSERT_TRUE(t);
-    EXPECT_NEAR(*t, 0.95, 1e-12);
-    EXPECT_FALSE(hit(post, {0, 0, 0.5}, {-2, 0, 0}));
-    EXPECT_FALSE(hit(post, {0, 0, 1.5}, {2, 0, 0}));
-    EXPECT_FALSE(hit(post, {0, 0, 0.5}, {2, 0.2, 0}));
     const Ball ball{{0, 3, 0.1}, 0.1, {}};
-    const auto b = hit(ball, {0, 0, 0.1}, {0, 1, 0});
-    ASSERT_TRUE(b);
-    EXPECT_NEAR(*b, 2.9, 1e-12);
+    const auto t = hit(ball, {0, 0, 0.1}, {0, 2, 0});
+    ASSERT_TRUE(t);
+    EXPECT_NEAR(*t, 1.45, 1e-12);
+    EXPECT_FALSE(hit(ball, {0, 0, 0.1}, {0, -2, 0}));
+    EXPECT_FALSE(hit(ball, {0, 0, 0.1}, {0.1, 2, 0}));
+}
+
+TEST(TruePosts, WhatTheLensModelFoldsIntoTheImageIsNotInside) {
+    // From r = 2.24 on (66° off the axis) the radial part is negative, and points come to lie on the other
+    // side of the principal point: both posts of the goal stand there.
+    Intrinsics camera;
+    camera.distortion = {-0.2, 0.0, 0.0, 0.0, 0.0};
+    SceneParameters p;
+    p.spectators = 0;
+    const Scene scene = make_scene(Field{}, p);
+    const double x = scene.posts[2].base.x();
+    const double y = scene.posts[2].base.y();
+    const Eigen::Isometry3d T_WC = camera_at(x - 0.5, y - 1.15, 0.0, 0.42, 0.0, 0.0);
+    const auto pixel = project(camera, T_WC.inverse() * Eigen::Vector3d(x, y, 0.42));
+    ASSERT_TRUE(pixel);
+    ASSERT_GT(pixel->x(), 0.0) << "the case this test is about";
+    ASSERT_LT(pixel->x(), camera.width);
+    const auto posts = true_posts(scene, camera, T_WC);
+    ASSERT_TRUE(find(posts, 2));
+    EXPECT_EQ(find(posts, 2)->inside, 0.0);
+    EXPECT_EQ(find(posts, 2)->visible, 0.0);
 }
 
 }  // namespace

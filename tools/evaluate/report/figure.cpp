@@ -7,40 +7,15 @@
 #include "tools/evaluate/report/figure_svg.h"
 #include "tools/evaluate/report/gnuplot.h"
 #include "tools/goalmouth/output.h"
+#include "tools/goalmouth/temporary_folder.h"
 
 #include <cctype>
-#include <cerrno>
-#include <cstring>
-#include <fmt/format.h>
 #include <stdexcept>
-#include <unistd.h>
 
 namespace goalmouth {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Where gnuplot works: a folder of its own within the one the figure goes to.
-class Workbench {
-  public:
-    explicit Workbench(const fs::path& folder) {
-        std::string pattern = (folder / ".figure-XXXXXX").string();
-        if (::mkdtemp(pattern.data()) == nullptr)
-            throw ConfigurationError(
-                fmt::format("the folder {} cannot be written: {}", folder.string(), std::strerror(errno)));
-        path_ = pattern;
-    }
-    ~Workbench() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Workbench(const Workbench&) = delete;
-    Workbench& operator=(const Workbench&) = delete;
-    const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
 
 std::string read_text(const fs::path& file) {
     try {
@@ -65,7 +40,7 @@ void check_stem(const std::string& stem) {
 DrawnFigure draw_figure(const Figure& figure, const fs::path& folder, const std::string& stem) {
     check_stem(stem);
     const std::string script = figure_script(figure);
-    const Workbench bench(folder);
+    const TemporaryFolder bench(folder, ".figure-");
     run_gnuplot(script, bench.path());
 
     DrawnFigure drawn;

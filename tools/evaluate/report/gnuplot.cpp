@@ -4,6 +4,7 @@
 #include "tools/evaluate/report/clean_text.h"
 #include "tools/evaluate/report/figure.h"
 #include "tools/goalmouth/output.h"
+#include "tools/goalmouth/temporary_folder.h"
 
 #include <algorithm>
 #include <array>
@@ -127,22 +128,13 @@ void run_gnuplot(const std::string& script, const fs::path& folder, std::chrono:
 }
 
 void expect_gnuplot(const std::string& option) {
-    std::string pattern = (fs::temp_directory_path() / "goalmouth-XXXXXX").string();
-    const auto prefixed = [&](const std::string& what) {
-        return ConfigurationError(option.empty() ? what : option + ": " + what);
-    };
-    if (::mkdtemp(pattern.data()) == nullptr)
-        throw prefixed(
-            fmt::format("a temporary folder cannot be made: {}: {}", pattern, std::strerror(errno)));
-    std::string problem;
+    const TemporaryFolder folder(fs::temp_directory_path(), "goalmouth-", option);
     try {
-        run_gnuplot("set terminal svg noenhanced\nset terminal pngcairo noenhanced fontscale 2\n", pattern);
+        run_gnuplot("set terminal svg noenhanced\nset terminal pngcairo noenhanced fontscale 2\n",
+                    folder.path());
     } catch (const ConfigurationError& error) {
-        problem = error.what();
+        throw ConfigurationError((option.empty() ? "" : option + ": ") + error.what());
     }
-    std::error_code ignored;
-    fs::remove_all(pattern, ignored);
-    if (!problem.empty()) throw prefixed(problem);
 }
 
 }  // namespace goalmouth

@@ -114,45 +114,37 @@ ReportFolder::ReportFolder(const fs::path& target, const std::string& option)
                         (target_ != above && writable(above) && same_file_system(target_, above));
     const fs::path place = beside ? above : target_;
     make_output_folder(place, option_);
-    std::string pattern = (place / ("." + target_.filename().string() + "-XXXXXX")).string();
-    if (::mkdtemp(pattern.data()) == nullptr)
-        fail(option_,
-             fmt::format("the folder {} cannot be written: {}", place.string(), std::strerror(errno)));
-    work_ = pattern;
-}
-
-ReportFolder::~ReportFolder() {
-    std::error_code ignored;
-    fs::remove_all(work_, ignored);
+    work_.emplace(place, "." + target_.filename().string() + "-", option_);
 }
 
 void ReportFolder::write(const std::string& name, const std::string& text) {
     const fs::path relative = fs::path(name).lexically_normal();
     if (relative.empty() || relative.is_absolute() || *relative.begin() == ".." || !relative.has_filename())
         fail(option_, "a report's file '" + name + "' would leave its folder");
-    make_output_folder((work_ / relative).parent_path(), option_);
-    write_text(work_ / relative, text, option_);
+    make_output_folder((work_->path() / relative).parent_path(), option_);
+    write_text(work_->path() / relative, text, option_);
 }
 
 void ReportFolder::publish() {
     std::vector<Move> moves;
     try {
-        const std::vector<fs::path> files = files_in(work_);
+        const std::vector<fs::path> files = files_in(work_->path());
         for (const fs::path& file : files) {
             if (fs::is_directory(target_ / file))
                 fail(option_, fmt::format("the folder {}: {} is a folder there, but a file of the report",
                                           target_.string(), file.string()));
         }
         fs::create_directories(target_);
-        if (::chmod(work_.c_str(), 0755) != 0) fail(option_, work_.string() + ": " + std::strerror(errno));
+        if (::chmod(work_->path().c_str(), 0755) != 0)
+            fail(option_, work_->path().string() + ": " + std::strerror(errno));
         for (const fs::path& file : files) {
             Move move{target_ / file, std::nullopt};
             fs::create_directories(move.to.parent_path());
             if (fs::exists(fs::symlink_status(move.to))) {
-                move.replaced = work_ / replaced_folder / file;
+                move.replaced = work_->path() / replaced_folder / file;
                 keep(move.to, *move.replaced);
             }
-            fs::rename(work_ / file, move.to);
+            fs::rename(work_->path() / file, move.to);
             moves.push_back(std::move(move));
         }
     } catch (const fs::filesystem_error& error) {
@@ -163,8 +155,7 @@ void ReportFolder::publish() {
         undo(moves);
         throw;
     }
-    std::error_code ignored;
-    fs::remove_all(work_, ignored);
+    work_.reset();
 }
 
 }  // namespace goalmouth

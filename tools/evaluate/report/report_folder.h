@@ -1,6 +1,9 @@
 #pragma once
 
+#include "tools/goalmouth/temporary_folder.h"
+
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace goalmouth {
@@ -17,12 +20,9 @@ class ReportFolder {
   public:
     /// Throws as expect_report_folder does.
     explicit ReportFolder(const std::filesystem::path& target, const std::string& option = "--report");
-    ~ReportFolder();
-    ReportFolder(const ReportFolder&) = delete;
-    ReportFolder& operator=(const ReportFolder&) = delete;
 
     /// Where files are made: for draw_figure(), write_picture(), …. Folders in it are allowed.
-    const std::filesystem::path& path() const { return work_; }
+    const std::filesystem::path& path() const { return work_->path(); }
 
     /// A text file in path(), UTF-8. `name` may not leave the folder.
     void write(const std::string& name, const std::string& text);
@@ -33,7 +33,7 @@ class ReportFolder {
 
   private:
     std::filesystem::path target_;
-    std::filesystem::path work_;
+    std::optional<TemporaryFolder> work_;  // until published
     std::string option_;
 };
 

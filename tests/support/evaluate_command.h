@@ -1,11 +1,11 @@
 #pragma once
 
 #include "tests/support/data.h"
+#include "tests/support/files.h"
+#include "tests/support/refusal.h"
 #include "tools/evaluate/evaluate.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -40,35 +40,30 @@ struct EvaluateCommand : testing::Test {
 
     /// A grid of few frames, too small to see far, but quick.
     int small_paper(const std::string& json, std::vector<std::string> more = {}) {
-        std::vector<std::string> arguments = {
-            "paper", "--frames-per-cell", frames_per_cell, "--size", "160x120", "--json", path(json)};
+        std::vector<std::string> arguments = {"paper",  "--frames-per-cell", frames_per_cell, "--size", size,
+                                              "--json", path(json)};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return run(arguments);
     }
 
-    std::string text(const std::string& name) const {
-        std::ifstream in(path(name), std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
+    std::string text(const std::string& name) const { return read_text(path(name)); }
     nlohmann::ordered_json json(const std::string& name) const {
         return nlohmann::ordered_json::parse(text(name));
     }
-    void write(const std::string& name, const std::string& content) const {
-        std::ofstream(path(name)) << content;
+    /// The file's path.
+    std::string write(const std::string& name, const std::string& content) const {
+        write_text(path(name), content);
+        return path(name);
     }
 
-    /// What it says where it refuses.
+    /// What it says where it refuses a file or a value; misuse that CLI11 sees itself goes through.
     std::string refusal(const std::vector<std::string>& arguments) {
-        try {
-            run(arguments);
-        } catch (const std::exception& error) {
-            return error.what();
-        }
-        return {};
+        return message_of([&] { run(arguments); });
     }
 
     TemporaryFolder folder;
     std::string frames_per_cell = "2";
+    std::string size = "160x120";
     std::string printed;
 };
 
