@@ -13,7 +13,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
 endif()
 
 function(goalmouth_our_code target)
-  target_compile_options(${target} PRIVATE ${GOALMOUTH_WARNINGS})
+  # Products and sums are not fused where the processor could: a replay on another machine must give the same bytes.
+  target_compile_options(${target} PRIVATE ${GOALMOUTH_WARNINGS} -ffp-contract=off)
   if(GOALMOUTH_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${GOALMOUTH_SANITIZE} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=all)

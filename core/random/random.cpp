@@ -1,6 +1,5 @@
 #include "core/random/random.h"
 
-#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -28,38 +27,12 @@ Random::Random(std::uint64_t seed) {
     for (auto& word : state_) word = spread(seed);
 }
 
-std::uint64_t Random::bits() {
-    const std::uint64_t result = std::rotl(state_[0] + state_[3], 23) + state_[0];
-    const std::uint64_t t = state_[1] << 17;
-    state_[2] ^= state_[0];
-    state_[3] ^= state_[1];
-    state_[1] ^= state_[2];
-    state_[0] ^= state_[3];
-    state_[2] ^= t;
-    state_[3] = std::rotl(state_[3], 45);
-    return result;
-}
-
 double Random::uniform() {
     return static_cast<double>(bits() >> 11) * 0x1.0p-53;
 }
 
 double Random::uniform(double lowest, double highest) {
     return lowest + (highest - lowest) * uniform();
-}
-
-std::uint32_t Random::index(std::uint32_t count) {
-    // Lemire's multiply-and-reject.
-    std::uint64_t product = (bits() >> 32) * count;
-    auto low = static_cast<std::uint32_t>(product);
-    if (low < count) {
-        const std::uint32_t threshold = (0U - count) % count;
-        while (low < threshold) {
-            product = (bits() >> 32) * count;
-            low = static_cast<std::uint32_t>(product);
-        }
-    }
-    return static_cast<std::uint32_t>(product >> 32);
 }
 
 double Random::normal() {

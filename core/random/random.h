@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <string_view>
 
@@ -26,6 +27,33 @@ class Random {
     double spare_ = 0.0;
     bool has_spare_ = false;
 };
+
+// Inline, so that a loop of draws keeps the state in registers.
+inline std::uint64_t Random::bits() {
+    const std::uint64_t result = std::rotl(state_[0] + state_[3], 23) + state_[0];
+    const std::uint64_t t = state_[1] << 17;
+    state_[2] ^= state_[0];
+    state_[3] ^= state_[1];
+    state_[1] ^= state_[2];
+    state_[0] ^= state_[3];
+    state_[2] ^= t;
+    state_[3] = std::rotl(state_[3], 45);
+    return result;
+}
+
+inline std::uint32_t Random::index(std::uint32_t count) {
+    // Lemire's multiply-and-reject.
+    std::uint64_t product = (bits() >> 32) * count;
+    auto low = static_cast<std::uint32_t>(product);
+    if (low < count) {
+        const std::uint32_t threshold = (0U - count) % count;
+        while (low < threshold) {
+            product = (bits() >> 32) * count;
+            low = static_cast<std::uint32_t>(product);
+        }
+    }
+    return static_cast<std::uint32_t>(product >> 32);
+}
 
 /// The generator of one module for one frame: every draw in the graph is a function of these three.
 Random random_for_frame(std::uint64_t graph_seed, std::string_view module, std::int64_t frame_seq);

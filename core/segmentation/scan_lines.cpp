@@ -63,4 +63,18 @@ ScanLayout scan_layout(const Intrinsics& camera, const std::optional<Eigen::Isom
     return image_layout(camera.width, camera.height, parameters);
 }
 
+const ScanLayout& LatestScanLayout::at(const Intrinsics& camera,
+                                       const std::optional<Eigen::Isometry3d>& T_BC) {
+    const auto same_pose = [&] {
+        if (parameters_.spacing != "field") return true;
+        return T_BC && T_BC_ ? T_BC->matrix() == T_BC_->matrix() : T_BC.has_value() == T_BC_.has_value();
+    };
+    if (known_ && camera == camera_ && same_pose()) return layout_;
+    layout_ = scan_layout(camera, T_BC, parameters_);
+    camera_ = camera;
+    T_BC_ = T_BC;
+    known_ = true;
+    return layout_;
+}
+
 }  // namespace goalmouth

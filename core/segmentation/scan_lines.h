@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -63,5 +64,22 @@ ScanLayout field_layout(const Intrinsics& camera, const std::optional<Eigen::Iso
 /// The layout that `parameters.spacing` asks for.
 ScanLayout scan_layout(const Intrinsics& camera, const std::optional<Eigen::Isometry3d>& T_BC,
                        const ScanLineParameters& parameters);
+
+/// scan_layout() from frame to frame: computed again only where the camera changed, or the pose of a camera
+/// whose lines are equidistant on the field.
+class LatestScanLayout {
+  public:
+    explicit LatestScanLayout(ScanLineParameters parameters) : parameters_(std::move(parameters)) {}
+
+    /// Valid until the next call.
+    const ScanLayout& at(const Intrinsics& camera, const std::optional<Eigen::Isometry3d>& T_BC);
+
+  private:
+    ScanLineParameters parameters_;
+    bool known_ = false;
+    Intrinsics camera_;
+    std::optional<Eigen::Isometry3d> T_BC_;
+    ScanLayout layout_;
+};
 
 }  // namespace goalmouth

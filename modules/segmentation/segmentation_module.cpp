@@ -8,7 +8,6 @@
 #include "core/messaging/channels.h"
 #include "core/messaging/typed.h"
 #include "core/process/configuration.h"
-#include "core/segmentation/segmentation.h"
 
 namespace goalmouth {
 namespace {
@@ -42,9 +41,14 @@ ModuleInfo SegmentationModule::info() {
 }
 
 SegmentationModule::SegmentationModule(ModuleContext& context, const Parameters& parameters)
+    : SegmentationModule(context, parameters, load_table(parameters.colours)) {}
+
+SegmentationModule::SegmentationModule(ModuleContext& context, const Parameters& parameters,
+                                       const ColourTable& table)
     : context_(context),
-      parameters_(parameters),
-      table_(load_table(parameters.colours)),
+      table_name_(table.name()),
+      segmenter_(table),
+      layout_(parameters.scan_lines),
       images_(context.bus, context.channel(channels::image), context.channel(channels::image_tap),
               context.channel(channels::image_slices), [this](const Frame& frame) { segment(frame); }) {
     subscribe<kinematics_t>(context.bus, context.channel(channels::kinematics),
@@ -63,13 +67,13 @@ std::optional<Eigen::Isometry3d> SegmentationModule::pose_at(std::int64_t utime)
 void SegmentationModule::segment(const Frame& frame) {
     context_.status.dropped(frame.dropped_before);
     const Intrinsics camera = from_message(frame.intrinsics);
-    const ScanLayout layout = scan_layout(camera, pose_at(frame.utime), parameters_.scan_lines);
-    const Segments segments = segment_frame(frame.pixels, table_, layout);
+    const ScanLayout& layout = layout_.at(camera, pose_at(frame.utime));
+    const Segments& segments = segmenter_.segment(frame.pixels, layout);
     if (!frame.still_valid()) {
         context_.status.dropped(1);
         return;
     }
-    const segments_t message = to_message(segments, frame.utime, frame.seq, camera, table_.name());
+    const segments_t message = to_message(segments, frame.utime, frame.seq, camera, table_name_);
     context_.status.count("lines_left_out", message.lines_left_out);
     publish(context_.bus, context_.channel(channels::segments), message);
     context_.status.output(frame.utime);

@@ -4,6 +4,7 @@
 #include "core/messaging/image_input.h"
 #include "core/process/module.h"
 #include "core/segmentation/scan_lines.h"
+#include "core/segmentation/segmentation.h"
 
 #include <cstdint>
 #include <map>
@@ -25,12 +26,14 @@ class SegmentationModule : public Module {
     SegmentationModule(ModuleContext& context, const Parameters& parameters);
 
   private:
+    SegmentationModule(ModuleContext& context, const Parameters& parameters, const ColourTable& table);
     void segment(const Frame& frame);
     std::optional<Eigen::Isometry3d> pose_at(std::int64_t utime) const;
 
     ModuleContext& context_;
-    Parameters parameters_;
-    ColourTable table_;
+    std::string table_name_;
+    Segmenter segmenter_;
+    LatestScanLayout layout_;
     std::map<std::int64_t, Eigen::Isometry3d> poses_;  // T_BC by utime, the latest few
     ImageInput images_;
 };

@@ -1,5 +1,7 @@
 #include "core/segmentation/scan_lines.h"
 
+#include "tests/support/allocations.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -88,6 +90,38 @@ TEST(ScanLines, OnTheFieldFallBackToTheImageWithoutPoseOrGround) {
     EXPECT_EQ(scan_layout(camera, up, parameters).rows, image.rows);
     EXPECT_EQ(scan_layout(camera, up, parameters).columns, image.columns);
     EXPECT_NE(scan_layout(camera, camera_in_body(0.4, 0.0, 0.3), parameters).rows, image.rows);
+}
+
+void expect_same_layout(const ScanLayout& a, const ScanLayout& b) {
+    EXPECT_EQ(a.rows, b.rows);
+    EXPECT_EQ(a.columns, b.columns);
+}
+
+TEST(LatestScanLayout, FollowsCameraAndPose) {
+    for (const std::string spacing : {"image", "field"}) {
+        ScanLineParameters parameters;
+        parameters.spacing = spacing;
+        LatestScanLayout latest(parameters);
+        for (const int width : {640, 320, 320, 640}) {
+            const Intrinsics camera = scaled_to(Intrinsics{}, width, width * 3 / 4);
+            for (const double pitch : {0.3, 0.3, 0.5}) {
+                const auto T_BC = camera_in_body(0.4, 0.0, pitch);
+                expect_same_layout(latest.at(camera, T_BC), scan_layout(camera, T_BC, parameters));
+            }
+            expect_same_layout(latest.at(camera, std::nullopt),
+                               scan_layout(camera, std::nullopt, parameters));
+        }
+    }
+}
+
+TEST(LatestScanLayout, AllocatesNothingWhereNothingChanged) {
+    if (!test::allocations_are_counted()) GTEST_SKIP() << "skipped: allocations are not counted here";
+    LatestScanLayout latest(ScanLineParameters{});
+    latest.at(Intrinsics{}, std::nullopt);
+    const auto moved = camera_in_body(0.4, 0.0, 0.5);
+    const test::AllocationCount count;
+    latest.at(Intrinsics{}, moved);
+    EXPECT_EQ(count.so_far(), 0U);
 }
 
 }  // namespace

@@ -16,17 +16,20 @@ constexpr Ycbcr green{90, 100, 90};
 constexpr Ycbcr yellow{170, 50, 150};
 
 /// Yellow where it is nearer to yellow than to green along the way from one to the other.
-ColourTable two_colour_table() {
-    ColourTable table(7);
-    for (int y = 0; y < 256; ++y) {
-        for (int cb = 0; cb < 256; ++cb) {
-            for (int cr = 0; cr < 256; ++cr) {
-                const Ycbcr p{static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(cb),
-                              static_cast<std::uint8_t>(cr)};
-                table.set(p, cb < 75 ? Colour::goal : Colour::field);
+const ColourTable& two_colour_table() {
+    static const ColourTable table = [] {
+        ColourTable two(7);
+        for (int y = 0; y < 256; y += 2) {
+            for (int cb = 0; cb < 256; cb += 2) {
+                for (int cr = 0; cr < 256; cr += 2) {
+                    const Ycbcr p{static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(cb),
+                                  static_cast<std::uint8_t>(cr)};
+                    two.set(p, cb < 75 ? Colour::goal : Colour::field);
+                }
             }
         }
-    }
+        return two;
+    }();
     return table;
 }
 
