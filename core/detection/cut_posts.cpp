@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace goalmouth {
 namespace {
@@ -13,34 +12,35 @@ struct RowsAlong {
     int reaching = 0;  // those that go on to the image's border
 };
 
-enum class Side { left, right };
-
-RowsAlong rows_along(const EdgeLine& edge, Side side, const Candidates& candidates, double near) {
+RowsAlong rows_along(const EdgeLine& edge, EdgeSide side, const Candidates& candidates, double near) {
     RowsAlong rows;
     for (const CandidateSegment& s : candidates.segments) {
         if (s.orientation != Orientation::horizontal) continue;
         if (s.line < edge.segment.upper.y() || s.line > edge.segment.lower.y()) continue;
         const auto x = edge.segment.line.x_at(s.line);
-        const double end = side == Side::left ? s.start - 0.5 : s.end + 0.5;
+        const double end = side == EdgeSide::left ? s.start - 0.5 : s.end + 0.5;
         if (!x || std::abs(end - *x) >= near) continue;
         ++rows.count;
-        rows.reaching += side == Side::left ? s.end == candidates.width - 1 : s.start == 0;
+        rows.reaching += side == EdgeSide::left ? s.end == candidates.width - 1 : s.start == 0;
     }
     return rows;
 }
 
-std::optional<Post> cut_post(const EdgeLine& edge, Side side, const Candidates& candidates, double near,
-                             const CutPostParameters& parameters) {
+}  // namespace
+
+std::optional<Post> post_with_one_edge(const EdgeLine& edge, EdgeSide side, const Candidates& candidates,
+                                       double near, const CutPostParameters& parameters) {
+    if (!parameters.report) return std::nullopt;
     const RowsAlong rows = rows_along(edge, side, candidates, near);
     if (rows.reaching == 0 || rows.reaching < parameters.share * rows.count) return std::nullopt;
-    const double border = side == Side::left ? candidates.width - 0.5 : -0.5;
+    const double border = side == EdgeSide::left ? candidates.width - 0.5 : -0.5;
     const double visible_width = std::abs(edge.segment.middle().x() - border);
     if (edge.segment.length() < parameters.least_aspect * visible_width) return std::nullopt;
 
     const Eigen::Vector2d border_top(border, edge.segment.upper.y());
     const Eigen::Vector2d border_base(border, edge.segment.lower.y());
     Post post;
-    if (side == Side::left) {
+    if (side == EdgeSide::left) {
         post.left_top = edge.segment.upper;
         post.left_base = edge.segment.lower;
         post.right_top = border_top;
@@ -58,26 +58,8 @@ std::optional<Post> cut_post(const EdgeLine& edge, Side side, const Candidates& 
     return post;
 }
 
-}  // namespace
-
-std::vector<Post> posts_with_one_edge(const std::vector<EdgeLine>& left, const std::vector<EdgeLine>& right,
-                                      const Candidates& candidates, double near,
-                                      const CutPostParameters& parameters) {
-    std::vector<Post> posts;
-    if (!parameters.report) return posts;
-    for (const EdgeLine& edge : left) {
-        if (const auto post = cut_post(edge, Side::left, candidates, near, parameters))
-            posts.push_back(*post);
-    }
-    for (const EdgeLine& edge : right) {
-        if (const auto post = cut_post(edge, Side::right, candidates, near, parameters))
-            posts.push_back(*post);
-    }
-    return posts;
-}
-
-std::vector<Post> post_that_fills_image(const Candidates& candidates, const CutPostParameters& parameters) {
-    if (!parameters.report || candidates.width <= 0) return {};
+std::optional<Post> post_that_fills_image(const Candidates& candidates, const CutPostParameters& parameters) {
+    if (!parameters.report || candidates.width <= 0) return std::nullopt;
     int first = candidates.height;
     int last = -1;
     int rows = 0;
@@ -87,7 +69,7 @@ std::vector<Post> post_that_fills_image(const Candidates& candidates, const CutP
         last = std::max(last, s.line);
         ++rows;
     }
-    if (rows < 2 || last - first < parameters.share * candidates.height) return {};
+    if (rows < 2 || last - first < parameters.share * candidates.height) return std::nullopt;
 
     Post post;
     const double right = candidates.width - 0.5;
@@ -97,7 +79,7 @@ std::vector<Post> post_that_fills_image(const Candidates& candidates, const CutP
     post.right_base = {right, last};
     post.flags = post_flag::fills_image | post_flag::left_edge_missing | post_flag::right_edge_missing |
                  post_flag::cut_left | post_flag::cut_right;
-    return {post};
+    return post;
 }
 
 }  // namespace goalmouth

@@ -5,7 +5,7 @@
 #include "core/extraction/candidates.h"
 #include "core/parameters/parameters.h"
 
-#include <vector>
+#include <optional>
 
 namespace goalmouth {
 
@@ -26,16 +26,17 @@ void describe_parameters(Visitor& v, CutPostParameters& p) {
       "least length of a post with one visible edge over its visible width");
 }
 
-/// Posts of which one side edge lies outside the image: an edge line without a partner, beside which the
+enum class EdgeSide { left, right };
+
+/// A post of which one side edge lies outside the image: an edge line without a partner, beside which the
 /// post's colour goes on to the image's border in at least `share` of the rows. The missing edge is put on
-/// the border, flags say so; corners, supports and flags are set, measurements are not. `near` [px]: how far
-/// a segment's end may lie from the line it belongs to.
-std::vector<Post> posts_with_one_edge(const std::vector<EdgeLine>& left, const std::vector<EdgeLine>& right,
-                                      const Candidates& candidates, double near,
-                                      const CutPostParameters& parameters);
+/// the border, flags say so; corners, supports and flags are set, measurements are not. `side`: which edge of
+/// a post the line is. `near` [px]: how far a segment's end may lie from the line it belongs to.
+std::optional<Post> post_with_one_edge(const EdgeLine& edge, EdgeSide side, const Candidates& candidates,
+                                       double near, const CutPostParameters& parameters);
 
 /// A post so close that neither side edge is in the image: segments from border to border over at least
-/// `share` of the image's height. Empty, or one post with the image's corners.
-std::vector<Post> post_that_fills_image(const Candidates& candidates, const CutPostParameters& parameters);
+/// `share` of the image's height. Its corners are the image's.
+std::optional<Post> post_that_fills_image(const Candidates& candidates, const CutPostParameters& parameters);
 
 }  // namespace goalmouth

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "core/detection/primitive_ransac.h"
+#include "core/detection/ransac_parameters.h"
 #include "core/geometry/line.h"
 #include "core/random/random.h"
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -17,8 +18,11 @@ struct EdgeLine {
     double rms = 0.0;     // px, of the points' distances from the line
 };
 
+/// Requires a point.
+EdgeLine edge_line(const Line& line, std::span<const Eigen::Vector2d> consensus);
+
 /// Up to M_max lines among edge points; each is the best supported one found among the points the former
-/// left.
+/// left. A LineSearch (line_search.h) used once.
 std::vector<EdgeLine> find_lines(const std::vector<Eigen::Vector2d>& points,
                                  const RansacParameters& parameters, Random& random);
 

@@ -39,10 +39,8 @@ Post post_from(const Box& box, int segments, int image_width) {
     return post;
 }
 
-}  // namespace
-
-std::vector<Post> detect_posts_by_histogram(const Candidates& candidates, const Intrinsics& camera,
-                                            double diameter, const HistogramParameters& parameters) {
+std::vector<Post> detected(const Candidates& candidates, const Intrinsics& camera, double diameter,
+                           const HistogramParameters& parameters) {
     const auto segments = without_outsized(candidates.segments, parameters.length_limit);
     if (segments.empty()) return {};
     const Histogram histogram = build_histogram(segments, candidates.width, parameters.bins);
@@ -65,6 +63,18 @@ std::vector<Post> detect_posts_by_histogram(const Candidates& candidates, const 
     }
     assign_sides(posts, candidates, parameters.sides);
     return posts;
+}
+
+}  // namespace
+
+const std::vector<Post>& HistogramDetector::detect(const Candidates& candidates, const Intrinsics& camera) {
+    posts_ = detected(candidates, camera, diameter_, parameters_);
+    return posts_;
+}
+
+std::vector<Post> detect_posts_by_histogram(const Candidates& candidates, const Intrinsics& camera,
+                                            double diameter, const HistogramParameters& parameters) {
+    return HistogramDetector(parameters, diameter).detect(candidates, camera);
 }
 
 }  // namespace goalmouth

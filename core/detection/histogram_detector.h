@@ -38,6 +38,21 @@ void describe_parameters(Visitor& v, HistogramParameters& p) {
 /// orientations summed over bins of columns, adjacent peaks merged (histogram.h), and as post the bounding
 /// box of a group's segments, upright whatever the post's lean. A box that touches the image's left or right
 /// border has that edge missing. `diameter` of the posts [m]. From left to right.
+class HistogramDetector {
+  public:
+    HistogramDetector(const HistogramParameters& parameters, double diameter)
+        : parameters_(parameters), diameter_(diameter) {}
+
+    /// Valid until the next call.
+    const std::vector<Post>& detect(const Candidates& candidates, const Intrinsics& camera);
+
+  private:
+    HistogramParameters parameters_;
+    double diameter_;
+    std::vector<Post> posts_;
+};
+
+/// The posts of one frame: a HistogramDetector used once.
 std::vector<Post> detect_posts_by_histogram(const Candidates& candidates, const Intrinsics& camera,
                                             double diameter, const HistogramParameters& parameters);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <tuple>
 
 namespace goalmouth {
 namespace {
@@ -91,10 +92,16 @@ std::pair<EdgeLine, EdgeLine> common_rows(const EdgeLine& left, const EdgeLine& 
 }
 
 double largest_hole(const LineSegment& left, const LineSegment& right, const Candidates& candidates) {
+    std::vector<double> covered;
+    return largest_hole(left, right, candidates, covered);
+}
+
+double largest_hole(const LineSegment& left, const LineSegment& right, const Candidates& candidates,
+                    std::vector<double>& covered) {
     const double top = std::max(left.upper.y(), right.upper.y());
     const double base = std::min(left.lower.y(), right.lower.y());
     if (base <= top) return 1.0;
-    std::vector<double> covered{top, base};
+    covered.assign({top, base});
     for (const CandidateSegment& s : candidates.segments) {
         if (s.orientation != Orientation::horizontal || s.line < top || s.line > base) continue;
         const auto l = left.line.x_at(s.line);
@@ -109,37 +116,42 @@ double largest_hole(const LineSegment& left, const LineSegment& right, const Can
     return hole / (base - top);
 }
 
+const std::vector<EdgePair>& EdgePairing::pair(const std::vector<EdgeLine>& left,
+                                               const std::vector<EdgeLine>& right,
+                                               const Candidates& candidates, double width_times_distance) {
+    acceptable_.clear();
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        for (std::size_t j = 0; j < right.size(); ++j) {
+            const auto [l, r] = common_rows(left[i], right[j], candidates.width, parameters_.cut_margin);
+            const PairMeasures m =
+                compare_edges(l, r, candidates.width, candidates.height, parameters_.permissiveness);
+            if (!m.similar() || !plausible(m, width_times_distance, parameters_)) continue;
+            if (parameters_.largest_hole < 1.0 &&
+                largest_hole(l.segment, r.segment, candidates, covered_) > parameters_.largest_hole)
+                continue;
+            acceptable_.push_back({{i, j}, m.dissimilarity()});
+        }
+    }
+    // Those as dissimilar as each other in the order they came in.
+    std::sort(acceptable_.begin(), acceptable_.end(), [](const Scored& a, const Scored& b) {
+        return std::tie(a.dissimilarity, a.pair.left, a.pair.right) <
+               std::tie(b.dissimilarity, b.pair.left, b.pair.right);
+    });
+
+    pairs_.clear();
+    for (const Scored& next : acceptable_) {
+        const bool taken = std::any_of(pairs_.begin(), pairs_.end(), [&](const EdgePair& p) {
+            return p.left == next.pair.left || p.right == next.pair.right;
+        });
+        if (!taken) pairs_.push_back(next.pair);
+    }
+    return pairs_;
+}
+
 std::vector<EdgePair> pair_edges(const std::vector<EdgeLine>& left, const std::vector<EdgeLine>& right,
                                  const Candidates& candidates, double width_times_distance,
                                  const PairingParameters& parameters) {
-    struct Scored {
-        EdgePair pair;
-        double dissimilarity;
-    };
-    std::vector<Scored> acceptable;
-    for (std::size_t i = 0; i < left.size(); ++i) {
-        for (std::size_t j = 0; j < right.size(); ++j) {
-            const auto [l, r] = common_rows(left[i], right[j], candidates.width, parameters.cut_margin);
-            const PairMeasures m =
-                compare_edges(l, r, candidates.width, candidates.height, parameters.permissiveness);
-            if (!m.similar() || !plausible(m, width_times_distance, parameters)) continue;
-            if (parameters.largest_hole < 1.0 &&
-                largest_hole(l.segment, r.segment, candidates) > parameters.largest_hole)
-                continue;
-            acceptable.push_back({{i, j}, m.dissimilarity()});
-        }
-    }
-    std::stable_sort(acceptable.begin(), acceptable.end(),
-                     [](const Scored& a, const Scored& b) { return a.dissimilarity < b.dissimilarity; });
-
-    std::vector<EdgePair> pairs;
-    for (const Scored& next : acceptable) {
-        const bool taken = std::any_of(pairs.begin(), pairs.end(), [&](const EdgePair& p) {
-            return p.left == next.pair.left || p.right == next.pair.right;
-        });
-        if (!taken) pairs.push_back(next.pair);
-    }
-    return pairs;
+    return EdgePairing(parameters).pair(left, right, candidates, width_times_distance);
 }
 
 }  // namespace goalmouth

@@ -89,12 +89,37 @@ std::pair<EdgeLine, EdgeLine> common_rows(const EdgeLine& left, const EdgeLine& 
 /// covers half of the width between them. 1 for edges without common rows.
 double largest_hole(const LineSegment& left, const LineSegment& right, const Candidates& candidates);
 
+/// The same with memory to work in.
+double largest_hole(const LineSegment& left, const LineSegment& right, const Candidates& candidates,
+                    std::vector<double>& covered);
+
 /// The pairs of edges that satisfy the paper's four conditions and, as far as switched on, the rules of the
 /// authors' 2013 robot code and ours. `candidates` are what the edges were found among.
 /// `width_times_distance` [px·m] is γ_x times the post's diameter: a pair's distance is this over its width.
 ///
 /// The text collects every pair that passes. An edge has but one post, though, so a line is used once: pairs
 /// are taken in the order of their dissimilarity, the most alike first, as long as both lines are free.
+class EdgePairing {
+  public:
+    explicit EdgePairing(const PairingParameters& parameters) : parameters_(parameters) {}
+
+    /// Valid until the next call. No heap allocation once warm.
+    const std::vector<EdgePair>& pair(const std::vector<EdgeLine>& left, const std::vector<EdgeLine>& right,
+                                      const Candidates& candidates, double width_times_distance);
+
+  private:
+    struct Scored {
+        EdgePair pair;
+        double dissimilarity;
+    };
+
+    PairingParameters parameters_;
+    std::vector<Scored> acceptable_;
+    std::vector<double> covered_;
+    std::vector<EdgePair> pairs_;
+};
+
+/// An EdgePairing used once.
 std::vector<EdgePair> pair_edges(const std::vector<EdgeLine>& left, const std::vector<EdgeLine>& right,
                                  const Candidates& candidates, double width_times_distance,
                                  const PairingParameters& parameters);

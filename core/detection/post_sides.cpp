@@ -33,16 +33,17 @@ bool opposite(PostSide found, PostSide claimed) {
 
 void assign_sides(std::vector<Post>& posts, const Candidates& candidates,
                   const PostSideParameters& parameters) {
-    std::vector<Post*> whole;
     for (Post& post : posts) {
         post.side = post.has(post_flag::fills_image) ? PostSide::unknown
                                                      : side_by_crossbar(post, candidates, parameters);
-        if (!post.has(post_flag::left_edge_missing | post_flag::right_edge_missing)) whole.push_back(&post);
     }
-    if (posts.size() != 2 || whole.size() != 2) return;
-    if (whole[0]->left_base.x() > whole[1]->left_base.x()) std::swap(whole[0], whole[1]);
-    Post& left = *whole[0];
-    Post& right = *whole[1];
+    const auto is_whole = [](const Post& post) {
+        return !post.has(post_flag::left_edge_missing | post_flag::right_edge_missing);
+    };
+    if (posts.size() != 2 || !is_whole(posts[0]) || !is_whole(posts[1])) return;
+    const bool swapped = posts[0].left_base.x() > posts[1].left_base.x();
+    Post& left = posts[swapped ? 1 : 0];
+    Post& right = posts[swapped ? 0 : 1];
     const auto [narrow, wide] = std::minmax(left.width_px, right.width_px);
     if (wide > parameters.largest_width_ratio * narrow) return;
     if (opposite(left.side, PostSide::left) || opposite(right.side, PostSide::right)) {

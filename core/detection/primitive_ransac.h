@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/parameters/parameters.h"
+#include "core/detection/ransac_parameters.h"
 #include "core/random/random.h"
 
 #include <algorithm>
@@ -16,25 +16,6 @@
 
 namespace goalmouth {
 
-/// Parameters of Algorithm 2 with the paper's values.
-struct RansacParameters {
-    int attempts = 50;
-    int minimum_points = 6;
-    double inlier_distance = 5.0;
-    int maximum_models = 3;
-};
-
-template <class Visitor>
-void describe_parameters(Visitor& v, RansacParameters& p) {
-    v("attempts", p.attempts, Range{1, 1000000}, "1",
-      "hypotheses drawn for each primitive (k; the 2013 robot code: 100)");
-    v("minimum_points", p.minimum_points, Range{2, 1000000}, "1", "points a primitive needs (n)");
-    v("inlier_distance", p.inlier_distance, above(0), "px",
-      "points nearer than this agree with a primitive (d)");
-    v("maximum_models", p.maximum_models, Range{1, 1000}, "1",
-      "primitives sought in each set of points (M_max)");
-}
-
 /// A primitive and the points that agree with it.
 template <class Primitive>
 struct Consensus {
@@ -42,7 +23,8 @@ struct Consensus {
     std::vector<Eigen::Vector2d> points;  // px, the consensus set, in the order of the input
 };
 
-/// Algorithm 2 of the paper: RANSAC for several models in one set of points, for any primitive.
+/// Algorithm 2 of the paper: RANSAC for several models in one set of points, for any primitive, as the paper
+/// writes it. Lines have a faster way to the same result (line_search.h).
 ///
 /// A Primitive P has
 ///
@@ -68,6 +50,7 @@ std::vector<Consensus<Primitive>> find_primitives(std::vector<Eigen::Vector2d> p
     while (points.size() >= minimum && found.size() < static_cast<std::size_t>(parameters.maximum_models)) {
         std::vector<char> best(points.size(), 0);  // P_best as a mask over P
         std::size_t best_count = 0;
+        auto needed = static_cast<std::size_t>(parameters.attempts);
         order.resize(points.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         for (int attempt = 0; attempt < parameters.attempts; ++attempt) {
@@ -77,6 +60,7 @@ std::vector<Consensus<Primitive>> find_primitives(std::vector<Eigen::Vector2d> p
                 std::swap(order[i], order[i + random.index(left)]);
                 sample[i] = points[order[i]];
             }
+            if (static_cast<std::size_t>(attempt) >= needed) continue;
             const auto hypothesis = Primitive::through(sample);
             if (!hypothesis) continue;
             std::vector<char> inliers(points.size(), 0);
@@ -88,6 +72,7 @@ std::vector<Consensus<Primitive>> find_primitives(std::vector<Eigen::Vector2d> p
             if (count > best_count) {
                 best_count = count;
                 best.swap(inliers);
+                needed = attempts_needed(parameters, best_count, points.size(), sample_size);
             }
         }
         if (best_count == 0) break;

@@ -24,45 +24,53 @@ Post corners(const EdgeLine& left, const EdgeLine& right) {
     return post;
 }
 
-std::vector<EdgeLine> without(const std::vector<EdgeLine>& lines, const std::vector<EdgePair>& pairs,
-                              std::size_t EdgePair::*side) {
-    std::vector<EdgeLine> rest;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (std::none_of(pairs.begin(), pairs.end(), [&](const EdgePair& p) { return p.*side == i; }))
-            rest.push_back(lines[i]);
-    }
-    return rest;
+/// Keeps them from left to right; of posts at one place the first stays first.
+void insert(std::vector<Post>& posts, const Post& post) {
+    const auto behind = std::upper_bound(posts.begin(), posts.end(), post.left_base.x(),
+                                         [](double x, const Post& other) { return x < other.left_base.x(); });
+    posts.insert(behind, post);
+}
+
+bool is_paired(const std::vector<EdgePair>& pairs, std::size_t EdgePair::*side, std::size_t i) {
+    return std::any_of(pairs.begin(), pairs.end(), [&](const EdgePair& p) { return p.*side == i; });
 }
 
 }  // namespace
 
+const std::vector<Post>& RansacDetector::detect(const Candidates& candidates, const Intrinsics& camera,
+                                                Random& random) {
+    const auto& left = left_.find(candidates.left_edges, random);
+    const auto& right = right_.find(candidates.right_edges, random);
+    const auto& pairs = pairing_.pair(left, right, candidates, camera.fx * diameter_);
+
+    posts_.clear();
+    const auto add = [&](Post post, double left_sigma, double right_sigma) {
+        measure_post(post, camera, diameter_, left_sigma, right_sigma, parameters_.measurement);
+        insert(posts_, post);
+    };
+    for (const auto& [i, j] : pairs)
+        add(corners(left[i], right[j]), place_sigma(left[i]), place_sigma(right[j]));
+    const auto add_cut = [&](const std::vector<EdgeLine>& lines, std::size_t EdgePair::*side, EdgeSide edge) {
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            if (is_paired(pairs, side, i)) continue;
+            const auto post = post_with_one_edge(lines[i], edge, candidates,
+                                                 parameters_.ransac.inlier_distance, parameters_.cut_posts);
+            if (post) add(*post, 0.0, 0.0);
+        }
+    };
+    add_cut(left, &EdgePair::left, EdgeSide::left);
+    add_cut(right, &EdgePair::right, EdgeSide::right);
+    if (posts_.empty()) {
+        if (const auto post = post_that_fills_image(candidates, parameters_.cut_posts)) add(*post, 0.0, 0.0);
+    }
+    assign_sides(posts_, candidates, parameters_.sides);
+    return posts_;
+}
+
 std::vector<Post> detect_posts_by_ransac(const Candidates& candidates, const Intrinsics& camera,
                                          double diameter, const RansacDetectorParameters& parameters,
                                          Random& random) {
-    const auto left = find_lines(candidates.left_edges, parameters.ransac, random);
-    const auto right = find_lines(candidates.right_edges, parameters.ransac, random);
-    const auto pairs = pair_edges(left, right, candidates, camera.fx * diameter, parameters.pairing);
-
-    std::vector<Post> posts;
-    for (const auto& [i, j] : pairs) {
-        Post post = corners(left[i], right[j]);
-        measure_post(post, camera, diameter, place_sigma(left[i]), place_sigma(right[j]),
-                     parameters.measurement);
-        posts.push_back(post);
-    }
-    std::vector<Post> cut =
-        posts_with_one_edge(without(left, pairs, &EdgePair::left), without(right, pairs, &EdgePair::right),
-                            candidates, parameters.ransac.inlier_distance, parameters.cut_posts);
-    if (posts.empty() && cut.empty()) cut = post_that_fills_image(candidates, parameters.cut_posts);
-    for (Post& post : cut) {
-        measure_post(post, camera, diameter, 0.0, 0.0, parameters.measurement);
-        posts.push_back(post);
-    }
-
-    std::stable_sort(posts.begin(), posts.end(),
-                     [](const Post& a, const Post& b) { return a.left_base.x() < b.left_base.x(); });
-    assign_sides(posts, candidates, parameters.sides);
-    return posts;
+    return RansacDetector(parameters, diameter).detect(candidates, camera, random);
 }
 
 }  // namespace goalmouth

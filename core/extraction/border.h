@@ -33,6 +33,20 @@ void describe_parameters(Visitor& v, BorderParameters& p) {
 /// pixels of the field's colour gives a point, its uppermost pixel; the border is the upper convex hull of
 /// these points. Columns without such a run give none. The 2013 robot code looked at every 11th column; here
 /// every vertical scan-line takes part.
+class BorderFinder {
+  public:
+    explicit BorderFinder(const BorderParameters& parameters) : parameters_(parameters) {}
+
+    /// Valid until the next call. No heap allocation once warm.
+    const FieldBorder& find(const Segments& segments);
+
+  private:
+    BorderParameters parameters_;
+    FieldBorder border_;
+    std::vector<Eigen::Vector2d> sorted_;
+};
+
+/// The border of one frame: a BorderFinder used once.
 FieldBorder find_border(const Segments& segments, const BorderParameters& parameters);
 
 }  // namespace goalmouth

@@ -2,8 +2,13 @@
 
 #include "core/extraction/border.h"
 #include "core/extraction/candidates.h"
+#include "core/extraction/regions.h"
+#include "core/extraction/runs.h"
 #include "core/parameters/parameters.h"
 #include "core/segmentation/segments.h"
+
+#include <cstdint>
+#include <vector>
 
 namespace goalmouth {
 
@@ -54,6 +59,26 @@ void describe_parameters(Visitor& v, CandidateParameters& p) {
 /// paper's wording). On vertical scan-lines the same transition is a left or a right edge depending on the
 /// post's lean, and most are the crossbar's. At the image border there is no transition and so no edge point.
 /// Sub-pixel positions are the segments' transitions.
+class CandidateExtractor {
+  public:
+    explicit CandidateExtractor(const CandidateParameters& parameters) : parameters_(parameters) {}
+
+    /// Valid until the next call. No heap allocation once warm.
+    const Candidates& extract(const Segments& segments, const FieldBorder& border);
+
+  private:
+    void find_runs(const Segments& segments);
+    bool crosses_any(const Run& vertical) const;
+
+    CandidateParameters parameters_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Run> horizontal_;
+    std::vector<Run> vertical_;
+    RunRegions regions_;
+    Candidates candidates_;
+};
+
+/// The candidates of one frame: a CandidateExtractor used once.
 Candidates extract_candidates(const Segments& segments, const FieldBorder& border,
                               const CandidateParameters& parameters);
 

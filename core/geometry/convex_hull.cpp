@@ -12,16 +12,23 @@ double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> upper_hull(std::vector<Eigen::Vector2d> points) {
-    std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+void upper_hull(std::span<Eigen::Vector2d> points, std::vector<Eigen::Vector2d>& hull) {
+    const auto before = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
         return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-    });
-    std::vector<Eigen::Vector2d> hull;
+    };
+    if (!std::is_sorted(points.begin(), points.end(), before))
+        std::sort(points.begin(), points.end(), before);
+    hull.clear();
     for (const auto& p : points) {
         if (!hull.empty() && hull.back().x() == p.x()) continue;
         while (hull.size() >= 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0.0) hull.pop_back();
         hull.push_back(p);
     }
+}
+
+std::vector<Eigen::Vector2d> upper_hull(std::vector<Eigen::Vector2d> points) {
+    std::vector<Eigen::Vector2d> hull;
+    upper_hull(points, hull);
     return hull;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -13,5 +14,8 @@ namespace goalmouth {
 /// Vertices from left to right, x strictly increasing; points on a hull edge are no vertices. Of points with
 /// one x only the highest counts, so the hull of a vertical set is one point; the hull of nothing is empty.
 std::vector<Eigen::Vector2d> upper_hull(std::vector<Eigen::Vector2d> points);
+
+/// The same into memory that is there already; sorts the points.
+void upper_hull(std::span<Eigen::Vector2d> points, std::vector<Eigen::Vector2d>& hull);
 
 }  // namespace goalmouth

@@ -1,5 +1,7 @@
 #include "core/geometry/line.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -62,13 +64,25 @@ double acute_angle(const Line& a, const Line& b) {
 LineSegment segment_on_line(const Line& line, std::span<const Eigen::Vector2d> points) {
     assert(!points.empty());
     const Eigen::Vector2d along = line.direction();
-    double first = along.dot(points.front());
-    double last = first;
-    for (const auto& p : points) {
-        const double s = along.dot(p);
-        first = std::min(first, s);
-        last = std::max(last, s);
+    // Four at once, so that a point need not wait for the one before it.
+    std::array<double, 4> firsts;
+    firsts.fill(along.dot(points.front()));
+    std::array<double, 4> lasts = firsts;
+    std::size_t i = 0;
+    for (; i + firsts.size() <= points.size(); i += firsts.size()) {
+        for (std::size_t j = 0; j < firsts.size(); ++j) {
+            const double s = along.dot(points[i + j]);
+            firsts[j] = std::min(firsts[j], s);
+            lasts[j] = std::max(lasts[j], s);
+        }
     }
+    for (; i < points.size(); ++i) {
+        const double s = along.dot(points[i]);
+        firsts[0] = std::min(firsts[0], s);
+        lasts[0] = std::max(lasts[0], s);
+    }
+    const double first = *std::min_element(firsts.begin(), firsts.end());
+    const double last = *std::max_element(lasts.begin(), lasts.end());
     const Eigen::Vector2d a = line.offset * line.normal + first * along;
     const Eigen::Vector2d b = line.offset * line.normal + last * along;
     // direction() runs down the image except for a horizontal line, where it runs to −x.

@@ -19,15 +19,14 @@ ModuleInfo HistogramDetectionModule::info() {
 
 HistogramDetectionModule::HistogramDetectionModule(ModuleContext& context, const Parameters& parameters)
     : context_(context),
-      parameters_(parameters),
-      post_diameter_(load_parameters_or_defaults<Field>(parameters.field).post_diameter) {
+      detector_(parameters, load_parameters_or_defaults<Field>(parameters.field).post_diameter) {
     subscribe<candidates_t>(context.bus, context.channel(channels::candidates),
                             [this](const candidates_t& message) { detect(message); });
 }
 
 void HistogramDetectionModule::detect(const candidates_t& message) {
     const Intrinsics camera = from_message(message.intrinsics);
-    const auto posts = detect_posts_by_histogram(from_message(message), camera, post_diameter_, parameters_);
+    const auto& posts = detector_.detect(from_message(message), camera);
     publish(context_.bus, context_.channel(channels::posts),
             to_message(posts, message.utime, message.seq, camera, info().executable));
     context_.status.count("posts", static_cast<double>(posts.size()));

@@ -22,8 +22,7 @@ class HistogramDetectionModule : public Module {
     void detect(const candidates_t& message);
 
     ModuleContext& context_;
-    Parameters parameters_;
-    double post_diameter_;
+    HistogramDetector detector_;
 };
 
 template <class Visitor>

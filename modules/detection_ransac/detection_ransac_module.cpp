@@ -19,8 +19,7 @@ ModuleInfo RansacDetectionModule::info() {
 
 RansacDetectionModule::RansacDetectionModule(ModuleContext& context, const Parameters& parameters)
     : context_(context),
-      parameters_(parameters),
-      post_diameter_(load_parameters_or_defaults<Field>(parameters.field).post_diameter) {
+      detector_(parameters, load_parameters_or_defaults<Field>(parameters.field).post_diameter) {
     subscribe<candidates_t>(context.bus, context.channel(channels::candidates),
                             [this](const candidates_t& message) { detect(message); });
 }
@@ -28,8 +27,7 @@ RansacDetectionModule::RansacDetectionModule(ModuleContext& context, const Param
 void RansacDetectionModule::detect(const candidates_t& message) {
     const Intrinsics camera = from_message(message.intrinsics);
     Random random = context_.random(message.seq);
-    const auto posts =
-        detect_posts_by_ransac(from_message(message), camera, post_diameter_, parameters_, random);
+    const auto& posts = detector_.detect(from_message(message), camera, random);
     publish(context_.bus, context_.channel(channels::posts),
             to_message(posts, message.utime, message.seq, camera, info().executable));
     context_.status.count("posts", static_cast<double>(posts.size()));

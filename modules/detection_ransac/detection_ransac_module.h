@@ -22,8 +22,7 @@ class RansacDetectionModule : public Module {
     void detect(const candidates_t& message);
 
     ModuleContext& context_;
-    Parameters parameters_;
-    double post_diameter_;
+    RansacDetector detector_;
 };
 
 template <class Visitor>

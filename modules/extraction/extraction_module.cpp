@@ -19,7 +19,7 @@ ModuleInfo ExtractionModule::info() {
 }
 
 ExtractionModule::ExtractionModule(ModuleContext& context, const Parameters& parameters)
-    : context_(context), parameters_(parameters) {
+    : context_(context), border_finder_(parameters.border), extractor_(parameters.candidates) {
     subscribe<segments_t>(context.bus, context.channel(channels::segments),
                           [this](const segments_t& message) { extract(message); });
 }
@@ -27,10 +27,10 @@ ExtractionModule::ExtractionModule(ModuleContext& context, const Parameters& par
 void ExtractionModule::extract(const segments_t& message) {
     const Segments segments = from_message(message);
     const Intrinsics camera = from_message(message.intrinsics);
-    const FieldBorder border = find_border(segments, parameters_.border);
+    const FieldBorder& border = border_finder_.find(segments);
     publish(context_.bus, context_.channel(channels::border),
             to_message(border, message.utime, message.seq, camera));
-    const Candidates candidates = extract_candidates(segments, border, parameters_.candidates);
+    const Candidates& candidates = extractor_.extract(segments, border);
     publish(context_.bus, context_.channel(channels::candidates),
             to_message(candidates, message.utime, message.seq, camera));
     context_.status.output(message.utime);

@@ -22,7 +22,8 @@ class ExtractionModule : public Module {
     void extract(const segments_t& message);
 
     ModuleContext& context_;
-    Parameters parameters_;
+    BorderFinder border_finder_;
+    CandidateExtractor extractor_;
 };
 
 template <class Visitor>

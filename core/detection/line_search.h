@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/detection/edge_lines.h"
+#include "core/detection/line_scoring.h"
+#include "core/detection/ransac_parameters.h"
+#include "core/random/random.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace goalmouth {
+
+/// Algorithm 2 of the paper for lines, fast: the same consensus sets, lines and draws, bit for bit, as
+/// find_primitives() gives, which says what they are (primitive_ransac.h).
+///
+///   * The hypotheses lie in a structure of arrays, one in each vector lane: a load of a point serves many,
+///   and
+///     counts need no sums across lanes. The points that a model leaves are moved together in place.
+///   * They are counted in single precision with a distance larger by all that rounding can do, which bounds
+///     the support from above. Only a hypothesis whose bound beats the best one's support is counted again in
+///     double precision as Line::distance() does it; mostly that is one of all.
+///   * Once all points agree, the other hypotheses are drawn but not measured.
+class LineSearch {
+  public:
+    explicit LineSearch(const RansacParameters& parameters) : parameters_(parameters) {}
+
+    /// Valid until the next call. No heap allocation once warm.
+    const std::vector<EdgeLine>& find(std::span<const Eigen::Vector2d> points, Random& random);
+
+  private:
+    struct Best {
+        Line line;
+        std::size_t support = 0;
+        std::size_t attempt = std::numeric_limits<std::size_t>::max();
+    };
+
+    void load(std::span<const Eigen::Vector2d> points);
+    Best best_hypothesis(Random& random);
+    void draw(std::size_t count, Random& random);
+    std::size_t search_samples(std::size_t drawn, std::size_t needed, Best& best);
+    bool try_sample(std::size_t i, std::size_t drawn, Best& best) const;
+    void take(const Line& line);
+
+    RansacParameters parameters_;
+    std::vector<EdgeLine> found_;
+    std::vector<Eigen::Vector2d> consensus_;
+    // What no model has taken yet, the first `count_` of each:
+    std::size_t count_ = 0;
+    std::vector<Eigen::Vector2d> points_;
+    std::vector<Eigen::Vector2f> coarse_;
+    float coarse_distance_ = 0.0F;  // px
+    std::vector<std::uint32_t> order_;
+    // The attempts in work:
+    LineSamples samples_;
+    std::array<std::uint32_t, LineSamples::most> first_{}, second_{};
+    alignas(64) std::array<std::uint32_t, LineSamples::most> support_{};
+};
+
+}  // namespace goalmouth
