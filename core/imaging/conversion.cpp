@@ -30,24 +30,31 @@ cv::Vec3b bgr_from_ycbcr(Ycbcr colour) {
     return convert_one({colour.y, colour.cr, colour.cb}, cv::COLOR_YCrCb2BGR);
 }
 
-YuyvImage yuyv_from_bgr(const cv::Mat& bgr) {
-    if (bgr.empty()) return {};
+void yuyv_from_bgr(const cv::Mat& bgr, std::span<std::uint8_t> to) {
+    if (bgr.empty()) return;
     if (bgr.type() != CV_8UC3) throw std::invalid_argument("yuyv_from_bgr wants three channels of 8 bits");
+    if (to.size() != static_cast<std::size_t>(yuyv_row_bytes(bgr.cols)) * static_cast<std::size_t>(bgr.rows))
+        throw std::invalid_argument("yuyv_from_bgr into memory of another size");
     cv::Mat ycrcb;
     cv::cvtColor(bgr, ycrcb, cv::COLOR_BGR2YCrCb);
-    YuyvImage image(bgr.cols, bgr.rows);
-    for (int y = 0; y < image.height; ++y) {
+    std::uint8_t* out = to.data();
+    for (int y = 0; y < bgr.rows; ++y) {
         const auto* in = ycrcb.ptr<cv::Vec3b>(y);
-        std::uint8_t* out = image.data.data() + static_cast<std::ptrdiff_t>(y) * image.stride();
-        for (int x = 0; x < image.width; x += 2, out += 4) {
+        for (int x = 0; x < bgr.cols; x += 2, out += 4) {
             const cv::Vec3b& first = in[x];
-            const cv::Vec3b& second = x + 1 < image.width ? in[x + 1] : first;
+            const cv::Vec3b& second = x + 1 < bgr.cols ? in[x + 1] : first;
             out[0] = first[0];
             out[1] = mean(first[2], second[2]);
             out[2] = second[0];
             out[3] = mean(first[1], second[1]);
         }
     }
+}
+
+YuyvImage yuyv_from_bgr(const cv::Mat& bgr) {
+    if (bgr.empty()) return {};
+    YuyvImage image(bgr.cols, bgr.rows);
+    yuyv_from_bgr(bgr, image.data);
     return image;
 }
 

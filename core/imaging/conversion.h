@@ -3,6 +3,9 @@
 #include "core/imaging/colour.h"
 #include "core/imaging/yuyv.h"
 
+#include <cstdint>
+#include <span>
+
 #include <opencv2/core.hpp>
 
 // Between BGR (OpenCV, 8 bits a channel) and 4:2:2 YCbCr, ITU-R BT.601, full range. 4:2:2 keeps one chroma
@@ -15,6 +18,9 @@ cv::Vec3b bgr_from_ycbcr(Ycbcr colour);
 
 /// `bgr` is CV_8UC3, may be a part of a larger image; throws std::invalid_argument for another type.
 YuyvImage yuyv_from_bgr(const cv::Mat& bgr);
+/// The same into `to`, which has yuyv_row_bytes(columns)·rows bytes; throws std::invalid_argument for another
+/// size.
+void yuyv_from_bgr(const cv::Mat& bgr, std::span<std::uint8_t> to);
 
 /// CV_8UC3; empty for an empty image.
 cv::Mat bgr_from_yuyv(YuyvView image);

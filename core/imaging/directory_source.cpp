@@ -8,8 +8,8 @@
 namespace goalmouth {
 
 DirectorySource::DirectorySource(const std::filesystem::path& path, std::optional<ImageSize> raw_size,
-                                 bool loop, SourceLog log)
-    : raw_size_(raw_size), loop_(loop), log_(std::move(log)) {
+                                 bool loop, SourceLog log, FrameMemory* memory)
+    : raw_size_(raw_size), loop_(loop), log_(std::move(log)), buffer_(memory) {
     std::error_code error;
     if (std::filesystem::is_regular_file(path, error)) {
         files_.push_back(path);
@@ -35,6 +35,7 @@ DirectorySource::DirectorySource(const std::filesystem::path& path, std::optiona
 }
 
 ImageSource::Outcome DirectorySource::next(Captured& frame, std::chrono::milliseconds) {
+    frame = {};
     for (;;) {
         if (at_ == files_.size()) {
             if (!loop_ || !any_this_round_) return Outcome::ended;
@@ -43,15 +44,16 @@ ImageSource::Outcome DirectorySource::next(Captured& frame, std::chrono::millise
         }
         const std::filesystem::path& file = files_[at_++];
         try {
-            image_ = read_image(file, is_raw_image_name(file) ? raw_size_ : std::nullopt);
+            read_image(file, is_raw_image_name(file) ? raw_size_ : std::nullopt,
+                       [&](ImageSize size) { return buffer_.prepare(frame, size.width, size.height); });
         } catch (const FileError& error) {
+            frame = {};
             ++counters_.unreadable;
             if (reported_.insert(file).second && log_) log_(std::string("skipped: ") + error.what());
             continue;
         }
         any_this_round_ = true;
         file_ = file;
-        frame = captured(image_);
         return Outcome::captured;
     }
 }

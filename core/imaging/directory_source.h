@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/imaging/capture_buffer.h"
 #include "core/imaging/image_file.h"
 #include "core/imaging/source.h"
 
@@ -16,9 +17,9 @@ class DirectorySource : public ImageSource {
   public:
     /// `size`: of raw images; others must have it too, where it is given. `loop`: start again after the last
     /// image, unless a whole round gave none. Throws FileError where there is no such folder or no file in it
-    /// has an image's name.
+    /// has an image's name. Images are read or decoded straight into `memory`.
     DirectorySource(const std::filesystem::path& path, std::optional<ImageSize> raw_size, bool loop,
-                    SourceLog log);
+                    SourceLog log, FrameMemory* memory = nullptr);
 
     Outcome next(Captured& frame, std::chrono::milliseconds timeout) override;
 
@@ -35,7 +36,7 @@ class DirectorySource : public ImageSource {
     std::size_t at_ = 0;
     bool any_this_round_ = false;
     std::set<std::filesystem::path> reported_;
-    YuyvImage image_;
+    CaptureBuffer buffer_;
 };
 
 }  // namespace goalmouth

@@ -41,41 +41,87 @@ std::optional<int> parse_side(std::string_view text) {
     return value;
 }
 
-YuyvImage raw_image(const std::filesystem::path& file, std::vector<std::uint8_t> bytes,
-                    std::optional<ImageSize> size) {
+std::size_t bytes_of(ImageSize size) {
+    return static_cast<std::size_t>(yuyv_row_bytes(size.width)) * static_cast<std::size_t>(size.height);
+}
+
+/// An open file and how long it is.
+struct OpenFile {
+    std::ifstream in;
+    std::size_t size = 0;
+};
+
+OpenFile opened(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (!std::filesystem::exists(status)) throw FileError(file.string() + ": no such file");
+    if (!std::filesystem::is_regular_file(status)) throw FileError(file.string() + ": not a file");
+    OpenFile opened_file{std::ifstream(file, std::ios::binary), std::filesystem::file_size(file, error)};
+    if (!opened_file.in) throw FileError(file.string() + ": cannot be opened: " + std::strerror(errno));
+    if (error) throw FileError(file.string() + ": its size cannot be asked: " + error.message());
+    if (opened_file.size == 0) throw FileError(file.string() + ": is empty (0 bytes)");
+    return opened_file;
+}
+
+void read_whole(const std::filesystem::path& file, OpenFile& from, std::span<std::uint8_t> to) {
+    from.in.read(reinterpret_cast<char*>(to.data()), static_cast<std::streamsize>(to.size()));
+    if (from.in.gcount() != static_cast<std::streamsize>(to.size()))
+        throw FileError(file.string() + ": cannot be read to its end");
+}
+
+ImageSize read_raw_image(const std::filesystem::path& file, std::optional<ImageSize> size,
+                         const ImageMemory& memory) {
+    OpenFile from = opened(file);
     if (!size) {
         throw FileError(file.string() +
                         ": a raw 4:2:2 image does not say how large it is: give its size (--size 640x480)");
     }
-    YuyvImage image(size->width, size->height);
-    if (bytes.size() != image.data.size()) {
-        throw FileError(file.string() + ": holds " + std::to_string(bytes.size()) +
+    if (from.size != bytes_of(*size)) {
+        throw FileError(file.string() + ": holds " + std::to_string(from.size) +
                         " bytes, but a raw 4:2:2 image of " + text_of(*size) + " has " +
-                        std::to_string(image.data.size()));
+                        std::to_string(bytes_of(*size)));
     }
-    image.data = std::move(bytes);
-    return image;
+    read_whole(file, from, memory(*size));
+    return *size;
 }
 
 bool is_jpeg(std::span<const std::uint8_t> bytes) {
     return bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff;
 }
 
+void check_size(const std::filesystem::path& file, ImageSize is, std::optional<ImageSize> expected) {
+    if (expected && *expected != is)
+        throw FileError(file.string() + ": is " + text_of(is) + ", but " + text_of(*expected) +
+                        " is expected");
+}
+
 /// Straight to YCbCr: what a camera compressed comes back without a detour over RGB.
-YuyvImage jpeg_image(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
+ImageSize read_jpeg_image(const std::filesystem::path& file, std::span<const std::uint8_t> bytes,
+                          std::optional<ImageSize> size, const ImageMemory& memory) {
     try {
-        return yuyv_from_jpeg(bytes);
+        JpegDecoder decoder;
+        const auto [width, height] = decoder.size_of(bytes);
+        check_size(file, {width, height}, size);
+        decoder.decode(bytes, memory({width, height}));
+        return {width, height};
+    } catch (const FileError&) {
+        throw;
     } catch (const std::runtime_error& error) {
         throw FileError(file.string() + ": a JPEG that cannot be read: " + error.what());
     }
 }
 
-YuyvImage checked(const std::filesystem::path& file, YuyvImage image, std::optional<ImageSize> size) {
-    if (size && *size != ImageSize{image.width, image.height}) {
-        throw FileError(file.string() + ": is " + text_of({image.width, image.height}) + ", but " +
-                        text_of(*size) + " is expected");
+/// The file that a chain of symbolic links names, which need not be there yet.
+std::filesystem::path end_of_links(const std::filesystem::path& file) {
+    constexpr int most_links = 40;  // as many as the kernel follows
+    std::filesystem::path end = file;
+    std::error_code error;
+    for (int i = 0; std::filesystem::is_symlink(end, error); ++i) {
+        if (i == most_links) throw FileError(file.string() + ": cannot be written: its links never end");
+        end = end.parent_path() / std::filesystem::read_symlink(end, error);
+        if (error) throw FileError(file.string() + ": cannot be written: " + error.message());
     }
-    return image;
+    return end;
 }
 
 }  // namespace
@@ -102,22 +148,26 @@ bool is_image_name(const std::filesystem::path& file) {
 }
 
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& file) {
-    std::error_code error;
-    const auto status = std::filesystem::status(file, error);
-    if (!std::filesystem::exists(status)) throw FileError(file.string() + ": no such file");
-    if (!std::filesystem::is_regular_file(status)) throw FileError(file.string() + ": not a file");
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw FileError(file.string() + ": cannot be opened: " + std::strerror(errno));
-    std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-    if (in.bad()) throw FileError(file.string() + ": cannot be read to its end");
-    if (bytes.empty()) throw FileError(file.string() + ": is empty (0 bytes)");
+    OpenFile from = opened(file);
+    std::vector<std::uint8_t> bytes(from.size);
+    read_whole(file, from, bytes);
     return bytes;
 }
 
 YuyvImage read_image(const std::filesystem::path& file, std::optional<ImageSize> size) {
-    std::vector<std::uint8_t> bytes = read_bytes(file);
-    if (is_raw_image_name(file)) return raw_image(file, std::move(bytes), size);
-    if (is_jpeg(bytes)) return checked(file, jpeg_image(file, bytes), size);
+    YuyvImage image;
+    read_image(file, size, [&](ImageSize is) {
+        image = YuyvImage(is.width, is.height);
+        return std::span(image.data);
+    });
+    return image;
+}
+
+ImageSize read_image(const std::filesystem::path& file, std::optional<ImageSize> size,
+                     const ImageMemory& memory) {
+    if (is_raw_image_name(file)) return read_raw_image(file, size, memory);
+    const std::vector<std::uint8_t> bytes = read_bytes(file);
+    if (is_jpeg(bytes)) return read_jpeg_image(file, bytes, size, memory);
     cv::Mat bgr;
     try {
         bgr = cv::imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
@@ -133,7 +183,10 @@ YuyvImage read_image(const std::filesystem::path& file, std::optional<ImageSize>
         throw FileError(file.string() + ": is " + text_of({bgr.cols, bgr.rows}) + ", larger than " +
                         text_of({largest_side, largest_side}));
     }
-    return checked(file, yuyv_from_bgr(bgr), size);
+    const ImageSize is{bgr.cols, bgr.rows};
+    check_size(file, is, size);
+    yuyv_from_bgr(bgr, memory(is));
+    return is;
 }
 
 void write_bytes(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
@@ -141,9 +194,7 @@ void write_bytes(const std::filesystem::path& file, std::span<const std::uint8_t
     const auto status = std::filesystem::status(file, ignored);
     const bool device = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
                         !std::filesystem::is_directory(status);
-    std::filesystem::path target = file;
-    if (!device && std::filesystem::is_symlink(file, ignored))
-        target = file.parent_path() / std::filesystem::read_symlink(file, ignored);
+    const std::filesystem::path target = device ? file : end_of_links(file);
     std::filesystem::path partial = target;
     if (!device) partial += ".partial";
     std::ofstream out(partial, std::ios::binary | std::ios::trunc);

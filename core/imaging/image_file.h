@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +24,14 @@ std::optional<ImageSize> parse_image_size(const std::string& text);
 /// Reads PNG, JPEG, PPM/PGM and what else OpenCV reads, or a raw 4:2:2 image where the name ends in .yuyv
 /// (.yuv, .raw): that one needs `size`. For the others a given size is checked. Throws FileError.
 YuyvImage read_image(const std::filesystem::path& file, std::optional<ImageSize> size = std::nullopt);
+
+/// Gives memory for an image of that size, rows packed: yuyv_row_bytes(width)·height bytes.
+using ImageMemory = std::function<std::span<std::uint8_t>(ImageSize)>;
+
+/// The same into memory of the caller's, asked for once the size is known. A raw image is read straight into
+/// it. After a FileError the memory holds nothing of use.
+ImageSize read_image(const std::filesystem::path& file, std::optional<ImageSize> size,
+                     const ImageMemory& memory);
 
 /// True where read_image would try by the name alone.
 bool is_image_name(const std::filesystem::path& file);

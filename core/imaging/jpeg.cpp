@@ -32,7 +32,9 @@ struct Planes {
     unsigned char* data[3] = {nullptr, nullptr, nullptr};
     int strides[3] = {0, 0, 0};
 
-    Planes(int width, int height, int subsampling) {
+    Planes() = default;
+    Planes(int width, int height, int subsampling) { resize(width, height, subsampling); }
+    void resize(int width, int height, int subsampling) {
         const int count = subsampling == TJSAMP_GRAY ? 1 : 3;
         for (int i = 0; i < count; ++i) {
             strides[i] = tjPlaneWidth(i, width, subsampling);
@@ -46,46 +48,38 @@ struct Planes {
     }
 };
 
-}  // namespace
-
-YuyvImage yuyv_from_jpeg(std::span<const std::uint8_t> jpeg) {
-    const Codec codec = opened(tjInitDecompress());
+struct Header {
     int width = 0;
     int height = 0;
     int subsampling = 0;
+};
+
+Header header_of(const Codec& codec, std::span<const std::uint8_t> jpeg) {
+    Header header;
     int colourspace = 0;
-    if (tjDecompressHeader3(codec.get(), jpeg.data(), jpeg.size(), &width, &height, &subsampling,
-                            &colourspace) != 0) {
+    if (tjDecompressHeader3(codec.get(), jpeg.data(), jpeg.size(), &header.width, &header.height,
+                            &header.subsampling, &colourspace) != 0) {
         fail(codec, "not a JPEG");
     }
-    if (width < 1 || height < 1 || width > largest_side || height > largest_side) {
+    if (header.width < 1 || header.height < 1 || header.width > largest_side || header.height > largest_side)
         throw std::runtime_error("a JPEG of impossible size");
-    }
-    if ((colourspace != TJCS_YCbCr && colourspace != TJCS_GRAY) || subsampling < 0 ||
-        subsampling >= TJ_NUMSAMP) {
+    if ((colourspace != TJCS_YCbCr && colourspace != TJCS_GRAY) || header.subsampling < 0 ||
+        header.subsampling >= TJ_NUMSAMP) {
         throw std::runtime_error("a JPEG that is neither YCbCr nor grey");
     }
-    Planes planes(width, height, subsampling);
-    if (tjDecompressToYUVPlanes(codec.get(), jpeg.data(), jpeg.size(), planes.data, width, planes.strides,
-                                height, 0) != 0) {
-        // Webcams pad their frames and get away with it; half an image does not.
-        const std::string warning = tjGetErrorStr2(codec.get());
-        const bool whole =
-            tjGetErrorCode(codec.get()) == TJERR_WARNING && warning.find("extraneous") != std::string::npos;
-        if (!whole) throw std::runtime_error("a damaged JPEG: " + warning);
-    }
+    return header;
+}
 
-    YuyvImage image(width, height);
-    const bool grey = subsampling == TJSAMP_GRAY;
-    const int columns_per_chroma = grey ? 1 : tjMCUWidth[subsampling] / 8;
-    const int rows_per_chroma = grey ? 1 : tjMCUHeight[subsampling] / 8;
-    const int last_x = width - 1;
-    for (int y = 0; y < height; ++y) {
-        std::uint8_t* out = image.data.data() + static_cast<std::ptrdiff_t>(y) * image.stride();
+void interleave(const Planes& planes, const Header& header, std::uint8_t* out) {
+    const bool grey = header.subsampling == TJSAMP_GRAY;
+    const int columns_per_chroma = grey ? 1 : tjMCUWidth[header.subsampling] / 8;
+    const int rows_per_chroma = grey ? 1 : tjMCUHeight[header.subsampling] / 8;
+    const int last_x = header.width - 1;
+    for (int y = 0; y < header.height; ++y) {
         const std::uint8_t* luma = planes.row(0, y);
         const std::uint8_t* cb = grey ? nullptr : planes.row(1, y / rows_per_chroma);
         const std::uint8_t* cr = grey ? nullptr : planes.row(2, y / rows_per_chroma);
-        for (int x = 0; x < width; x += 2, out += 4) {
+        for (int x = 0; x < header.width; x += 2, out += 4) {
             const int next = std::min(x + 1, last_x);
             out[0] = luma[x];
             out[1] = out[3] = 128;
@@ -97,6 +91,46 @@ YuyvImage yuyv_from_jpeg(std::span<const std::uint8_t> jpeg) {
             out[3] = static_cast<std::uint8_t>((cr[left] + cr[right] + 1) / 2);
         }
     }
+}
+
+}  // namespace
+
+struct JpegDecoder::State {
+    Codec codec = opened(tjInitDecompress());
+    Planes planes;
+};
+
+JpegDecoder::JpegDecoder() : state_(std::make_unique<State>()) {}
+JpegDecoder::~JpegDecoder() = default;
+
+JpegDecoder::Size JpegDecoder::size_of(std::span<const std::uint8_t> jpeg) {
+    const Header header = header_of(state_->codec, jpeg);
+    return {header.width, header.height};
+}
+
+void JpegDecoder::decode(std::span<const std::uint8_t> jpeg, std::span<std::uint8_t> to) {
+    auto& [codec, planes] = *state_;
+    const Header header = header_of(codec, jpeg);
+    if (to.size() !=
+        static_cast<std::size_t>(yuyv_row_bytes(header.width)) * static_cast<std::size_t>(header.height))
+        throw std::invalid_argument("a JPEG decoded into memory of another size");
+    planes.resize(header.width, header.height, header.subsampling);
+    if (tjDecompressToYUVPlanes(codec.get(), jpeg.data(), jpeg.size(), planes.data, header.width,
+                                planes.strides, header.height, 0) != 0) {
+        // Webcams pad their frames and get away with it; half an image does not.
+        const std::string warning = tjGetErrorStr2(codec.get());
+        const bool whole =
+            tjGetErrorCode(codec.get()) == TJERR_WARNING && warning.find("extraneous") != std::string::npos;
+        if (!whole) throw std::runtime_error("a damaged JPEG: " + warning);
+    }
+    interleave(planes, header, to.data());
+}
+
+YuyvImage yuyv_from_jpeg(std::span<const std::uint8_t> jpeg) {
+    JpegDecoder decoder;
+    const auto [width, height] = decoder.size_of(jpeg);
+    YuyvImage image(width, height);
+    decoder.decode(jpeg, image.data);
     return image;
 }
 

@@ -3,6 +3,7 @@
 #include "core/imaging/yuyv.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,31 @@ namespace goalmouth {
 /// detour over RGB. Any chroma subsampling and greyscale are taken. Throws std::runtime_error where the bytes
 /// are no such image, are cut off or damaged, or the image is larger than 16384×16384.
 YuyvImage yuyv_from_jpeg(std::span<const std::uint8_t> jpeg);
+
+/// The same for many images, into memory of the caller's. Keeps its own, so that images of one size cost the
+/// heap nothing after the first.
+class JpegDecoder {
+  public:
+    struct Size {
+        int width = 0;
+        int height = 0;
+    };
+
+    JpegDecoder();
+    ~JpegDecoder();
+    JpegDecoder(const JpegDecoder&) = delete;
+    JpegDecoder& operator=(const JpegDecoder&) = delete;
+
+    /// How large the image will be. Throws as yuyv_from_jpeg().
+    Size size_of(std::span<const std::uint8_t> jpeg);
+    /// Rows packed: `to` has yuyv_row_bytes(width)·height bytes. Throws as yuyv_from_jpeg(), and
+    /// std::invalid_argument where `to` has another size.
+    void decode(std::span<const std::uint8_t> jpeg, std::span<std::uint8_t> to);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 /// A 4:2:2 JPEG of quality 1…100. Throws std::invalid_argument for an empty image, std::runtime_error where
 /// the codec fails.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/imaging/yuyv.h"
+#include "core/imaging/frame_memory.h"
 
 #include <chrono>
 #include <cstdint>
@@ -12,26 +12,18 @@ namespace goalmouth {
 
 enum class PixelFormat { yuyv, jpeg };
 
-/// One image as its source delivered it. `bytes` belongs to the source and lasts until its next call.
+/// One image as its source delivered it. The bytes stand in `slot`, where the source was given a FrameMemory
+/// and could write there; otherwise they belong to the source and last until its next call.
 struct Captured {
     PixelFormat format = PixelFormat::yuyv;
     int width = 0;   // px
     int height = 0;  // px
     int stride = 0;  // bytes from row to row; 0 for JPEG
     std::span<const std::uint8_t> bytes;
+    FrameSlot slot;          // empty unless the bytes stand in it
     std::int64_t utime = 0;  // [µs] since 1970-01-01 UTC; 0 where the source knows no time (files)
     std::int64_t lost = 0;   // images the source knows it lost between the one before and this one
 };
-
-/// An image without a time of its own; `image` stays its owner.
-inline Captured captured(const YuyvImage& image) {
-    Captured frame;
-    frame.width = image.width;
-    frame.height = image.height;
-    frame.stride = image.stride();
-    frame.bytes = image.data;
-    return frame;
-}
 
 /// What a source could not deliver, since it was made.
 struct SourceCounters {
@@ -58,7 +50,8 @@ class ImageSource {
     ImageSource& operator=(const ImageSource&) = delete;
     virtual ~ImageSource() = default;
 
-    /// The next image. Sources of files deliver at once, in order; devices wait up to `timeout`.
+    /// The next image. What `frame` held is given up first. Sources of files deliver at once, in order;
+    /// devices wait up to `timeout`.
     virtual Outcome next(Captured& frame, std::chrono::milliseconds timeout) = 0;
 
     /// Images per second the source itself runs at; 0 where it has no rate of its own.

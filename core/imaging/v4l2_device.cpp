@@ -120,6 +120,12 @@ void V4l2Device::open(const std::string& path) {
 
 void V4l2Device::close() {
     if (fd_ < 0) return;
+    stop();
+    ::close(fd_);
+    fd_ = -1;
+}
+
+void V4l2Device::stop() {
     if (streaming_) {
         int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
         repeated_ioctl(fd_, VIDIOC_STREAMOFF, &type);
@@ -127,8 +133,6 @@ void V4l2Device::close() {
     }
     for (const Buffer& buffer : buffers_) munmap(buffer.data, buffer.length);
     buffers_.clear();
-    ::close(fd_);
-    fd_ = -1;
 }
 
 v4l2_pix_format V4l2Device::set_format(std::uint32_t fourcc, int width, int height) {
@@ -162,14 +166,32 @@ double V4l2Device::set_rate(double frames_per_second) {
     return interval.numerator > 0 ? static_cast<double>(interval.denominator) / interval.numerator : 0.0;
 }
 
-void V4l2Device::start(int count) {
+int V4l2Device::least_buffers() const {
+    v4l2_control control{};
+    control.id = V4L2_CID_MIN_BUFFERS_FOR_CAPTURE;
+    return repeated_ioctl(fd_, VIDIOC_G_CTRL, &control) == 0 ? control.value : 0;
+}
+
+/// How many were given; −1 with errno.
+int V4l2Device::request_buffers(v4l2_memory memory, int count) {
     v4l2_requestbuffers request{};
     request.count = static_cast<std::uint32_t>(count);
     request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-    request.memory = V4L2_MEMORY_MMAP;
-    if (repeated_ioctl(fd_, VIDIOC_REQBUFS, &request) < 0) fail("gives no buffers");
-    if (request.count < 2) throw std::runtime_error(path_ + ": gives fewer than two buffers");
-    for (std::uint32_t i = 0; i < request.count; ++i) {
+    request.memory = memory;
+    if (repeated_ioctl(fd_, VIDIOC_REQBUFS, &request) < 0) return -1;
+    memory_ = memory;
+    return static_cast<int>(request.count);
+}
+
+int V4l2Device::request_user_buffers(int count) {
+    return std::max(0, request_buffers(V4L2_MEMORY_USERPTR, count));
+}
+
+void V4l2Device::map_buffers(int count) {
+    const int given = request_buffers(V4L2_MEMORY_MMAP, count);
+    if (given < 0) fail("gives no buffers");
+    if (given < 2) throw std::runtime_error(path_ + ": gives fewer than two buffers");
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(given); ++i) {
         v4l2_buffer buffer{};
         buffer.index = i;
         buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -178,26 +200,37 @@ void V4l2Device::start(int count) {
         void* memory = mmap(nullptr, buffer.length, PROT_READ | PROT_WRITE, MAP_SHARED, fd_, buffer.m.offset);
         if (memory == MAP_FAILED) fail("cannot map its buffers");
         buffers_.push_back({static_cast<std::uint8_t*>(memory), buffer.length});
-        if (!queue(i)) fail("does not take its buffers");
     }
+}
+
+bool V4l2Device::start_streaming() {
     int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-    if (repeated_ioctl(fd_, VIDIOC_STREAMON, &type) < 0) fail("does not start streaming");
-    streaming_ = true;
+    streaming_ = repeated_ioctl(fd_, VIDIOC_STREAMON, &type) == 0;
+    return streaming_;
 }
 
 bool V4l2Device::dequeue(v4l2_buffer& buffer) {
     buffer = {};
     buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-    buffer.memory = V4L2_MEMORY_MMAP;
+    buffer.memory = memory_;
     return repeated_ioctl(fd_, VIDIOC_DQBUF, &buffer) == 0;
 }
 
-bool V4l2Device::queue(std::uint32_t index) {
+bool V4l2Device::queue(std::uint32_t index, std::span<std::uint8_t> memory) {
     v4l2_buffer buffer{};
     buffer.index = index;
     buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-    buffer.memory = V4L2_MEMORY_MMAP;
+    buffer.memory = memory_;
+    if (memory_ == V4L2_MEMORY_USERPTR) {
+        buffer.m.userptr = reinterpret_cast<unsigned long>(memory.data());
+        buffer.length = static_cast<std::uint32_t>(memory.size());
+    }
     return repeated_ioctl(fd_, VIDIOC_QBUF, &buffer) == 0;
+}
+
+void V4l2Device::release_buffers() {
+    stop();
+    request_buffers(memory_, 0);
 }
 
 std::string V4l2Device::offers() const {

@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::chrono::milliseconds first_back_off{250};
 constexpr std::chrono::milliseconds longest_back_off{4000};
+constexpr std::chrono::milliseconds between_looks{1000};
 
 std::int64_t microseconds(clockid_t clock) {
     timespec t{};
@@ -64,12 +65,16 @@ std::string wanted(const V4l2Settings& s) {
 
 }  // namespace
 
-V4l2Source::V4l2Source(const V4l2Settings& settings, SourceLog log)
-    : settings_(settings), log_(std::move(log)) {
+V4l2Source::V4l2Source(const V4l2Settings& settings, SourceLog log, FrameMemory* memory)
+    : settings_(settings),
+      log_(std::move(log)),
+      memory_(settings.format == PixelFormat::yuyv ? memory : nullptr),
+      buffers_(device_, memory_) {
     start();
 }
 
 void V4l2Source::start() {
+    buffers_.stop();
     device_.open(settings_.device);
     try {
         const bool compressed = settings_.format == PixelFormat::jpeg;
@@ -91,24 +96,31 @@ void V4l2Source::start() {
                             "\" delivers interlaced frames only");
         stride_ =
             compressed ? 0 : std::max(static_cast<int>(format.bytesperline), yuyv_row_bytes(settings_.width));
+        image_bytes_ = std::max<std::size_t>(
+            format.sizeimage, static_cast<std::size_t>(stride_) * static_cast<std::size_t>(settings_.height));
         rate_ = device_.set_rate(settings_.frames_per_second);
         if (settings_.frames_per_second > 0.0 && std::abs(rate_ - settings_.frames_per_second) > 0.5 &&
             log_) {
             log_(settings_.device + ": asked for " + rate_text(settings_.frames_per_second) +
                  ", the camera " + (rate_ > 0.0 ? "runs at " + rate_text(rate_) : "keeps a rate of its own"));
         }
-        device_.start(settings_.buffers);
+        buffers_.start(settings_.buffers, image_bytes_);
+        if (const std::string& refusal = buffers_.refusal(); !refusal.empty() && refusal != last_refusal_) {
+            if (log_)
+                log_(settings_.device + ": \"" + device_.card() + "\" does not write into shared memory (" +
+                     refusal + "); each image is copied once");
+            last_refusal_ = refusal;
+        }
     } catch (...) {
-        device_.close();
+        buffers_.stop();
         throw;
     }
-    held_.reset();
+    next_look_ = Clock::now() + between_looks;
     last_sequence_.reset();
 }
 
 void V4l2Source::gone(const std::string& why) {
-    held_.reset();
-    device_.close();
+    buffers_.stop();
     back_off_ = first_back_off;
     next_try_ = Clock::now() + back_off_;
     last_failure_.clear();
@@ -137,6 +149,18 @@ bool V4l2Source::try_again(std::chrono::milliseconds timeout) {
     return true;
 }
 
+/// Starts anew, in place, once the memory that lacked room has it.
+void V4l2Source::look_for_room() {
+    if (!device_.is_open() || !buffers_.lacks_room() || Clock::now() < next_look_) return;
+    next_look_ = Clock::now() + between_looks;
+    if (!memory_->open(image_bytes_)) return;
+    try {
+        start();
+    } catch (const std::runtime_error& error) {
+        gone(error.what());
+    }
+}
+
 std::int64_t V4l2Source::lost_before(std::uint32_t sequence) {
     std::int64_t lost = 0;
     if (last_sequence_) {
@@ -148,43 +172,36 @@ std::int64_t V4l2Source::lost_before(std::uint32_t sequence) {
 }
 
 bool V4l2Source::take(Captured& frame) {
-    v4l2_buffer buffer{};
-    if (!device_.dequeue(buffer)) {
+    V4l2Buffers::Filled filled;
+    if (!buffers_.take(filled)) {
         if (errno == EAGAIN) return false;
         if (errno == EIO) {  // the driver lost a frame and goes on
             ++counters_.damaged;
             return false;
         }
-        gone(std::strerror(errno));
+        gone(errno == EBADSLT ? "the driver names a buffer it does not have" : std::strerror(errno));
         return false;
     }
-    if (buffer.index >= device_.buffers()) {
-        gone("the driver names a buffer it never gave");
-        return false;
-    }
+    const v4l2_buffer& buffer = filled.buffer;
     const std::int64_t lost = lost_before(buffer.sequence);
     counters_.lost += lost;
     lost_since_frame_ += lost;
-    const V4l2Device::Buffer& memory = device_.buffer(buffer.index);
-    const std::size_t used = std::min<std::size_t>(buffer.bytesused, memory.length);
     const std::size_t needed =
         settings_.format == PixelFormat::jpeg
             ? 4
             : static_cast<std::size_t>(stride_) * static_cast<std::size_t>(settings_.height - 1) +
                   static_cast<std::size_t>(yuyv_row_bytes(settings_.width));
-    if ((buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || used < needed) {
+    if ((buffer.flags & V4L2_BUF_FLAG_ERROR) != 0 || filled.bytes.size() < needed) {
         ++counters_.damaged;
         ++lost_since_frame_;
-        if (!device_.queue(buffer.index)) gone(std::strerror(errno));
         return false;
     }
-    held_ = buffer.index;
-    frame = {};
     frame.format = settings_.format;
     frame.width = settings_.width;
     frame.height = settings_.height;
     frame.stride = stride_;
-    frame.bytes = {memory.data, used};
+    frame.bytes = filled.bytes;
+    frame.slot = std::move(filled.slot);
     frame.utime = capture_utime(buffer);
     frame.lost = std::exchange(lost_since_frame_, 0);
     return true;
@@ -192,12 +209,10 @@ bool V4l2Source::take(Captured& frame) {
 
 ImageSource::Outcome V4l2Source::next(Captured& frame, std::chrono::milliseconds timeout) {
     const auto deadline = Clock::now() + timeout;
-    if (held_ && device_.is_open()) {
-        const std::uint32_t index = *held_;
-        held_.reset();
-        if (!device_.queue(index)) gone(std::strerror(errno));
-    }
+    frame = {};
+    look_for_room();
     for (;;) {
+        if (device_.is_open() && !buffers_.refill()) gone(std::strerror(errno));
         const auto left = std::max(std::chrono::milliseconds(0),
                                    std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()));
         if (!device_.is_open() && !try_again(left)) return Outcome::nothing;

@@ -15,8 +15,8 @@ struct VideoSource::Decoder {
     cv::Mat bgr;
 };
 
-VideoSource::VideoSource(const std::filesystem::path& file, bool loop, SourceLog log)
-    : file_(file), loop_(loop), log_(std::move(log)), decoder_(std::make_unique<Decoder>()) {
+VideoSource::VideoSource(const std::filesystem::path& file, bool loop, SourceLog log, FrameMemory* memory)
+    : file_(file), loop_(loop), log_(std::move(log)), decoder_(std::make_unique<Decoder>()), buffer_(memory) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error))
         throw FileError(file.string() + ": no such video file");
@@ -40,6 +40,7 @@ bool VideoSource::open() {
 }
 
 ImageSource::Outcome VideoSource::next(Captured& frame, std::chrono::milliseconds) {
+    frame = {};
     for (;;) {
         bool read = false;
         try {
@@ -52,8 +53,7 @@ ImageSource::Outcome VideoSource::next(Captured& frame, std::chrono::millisecond
         if (!loop_ || !any_this_round_ || !open()) return Outcome::ended;
     }
     any_this_round_ = true;
-    image_ = yuyv_from_bgr(decoder_->bgr);
-    frame = captured(image_);
+    yuyv_from_bgr(decoder_->bgr, buffer_.prepare(frame, decoder_->bgr.cols, decoder_->bgr.rows));
     return Outcome::captured;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/imaging/capture_buffer.h"
 #include "core/imaging/source.h"
-#include "core/imaging/yuyv.h"
 
 #include <filesystem>
 #include <memory>
@@ -11,8 +11,9 @@ namespace goalmouth {
 /// A video file, whatever OpenCV reads.
 class VideoSource : public ImageSource {
   public:
-    /// Throws FileError where there is no such file or no video in it.
-    VideoSource(const std::filesystem::path& file, bool loop, SourceLog log);
+    /// Throws FileError where there is no such file or no video in it. Images are converted straight into
+    /// `memory`.
+    VideoSource(const std::filesystem::path& file, bool loop, SourceLog log, FrameMemory* memory = nullptr);
     ~VideoSource() override;
 
     Outcome next(Captured& frame, std::chrono::milliseconds timeout) override;
@@ -28,7 +29,7 @@ class VideoSource : public ImageSource {
     std::unique_ptr<Decoder> decoder_;
     double frames_per_second_ = 0.0;
     bool any_this_round_ = false;
-    YuyvImage image_;
+    CaptureBuffer buffer_;
 };
 
 }  // namespace goalmouth

@@ -4,16 +4,15 @@
 #include <atomic>
 #include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <random>
-#include <signal.h>
 #include <stdexcept>
 #include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 namespace goalmouth {
@@ -83,35 +82,71 @@ int allocate(int fd, std::size_t bytes) {
     return error;
 }
 
-bool is_alive(pid_t pid) {
-    return kill(pid, 0) == 0 || errno != ESRCH;
+/// What can still be had of shared memory; all there is in the world where that is not limited.
+std::uint64_t free_bytes() {
+    struct statvfs status {};
+    if (statvfs(shared_memory_folder, &status) != 0 || status.f_blocks == 0) return UINT64_MAX;
+    return std::uint64_t{status.f_bavail} * status.f_frsize;
+}
+
+std::string megabytes(std::uint64_t bytes) {
+    return std::to_string((bytes + 999'999) / 1'000'000) + " MB";
+}
+
+bool exists(const std::string& name) {
+    const int fd = shm_open(name.c_str(), O_RDONLY | O_CLOEXEC, 0);
+    if (fd < 0) return errno != ENOENT;
+    close(fd);
+    return true;
 }
 
 }  // namespace
 
+/// A new segment, locked as long as the producer lives, however it ends: see remove_stale_rings().
+void FrameRing::make_segment(const std::string& camera) {
+    for (int attempt = 0; attempt < 10; ++attempt) {
+        name_ = new_name(camera);
+        fd_ = shm_open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+        if (fd_ < 0)
+            throw std::runtime_error("cannot make shared memory " + name_ + ": " + std::strerror(errno));
+        struct stat status {};
+        if (flock(fd_, LOCK_EX | LOCK_NB) == 0 && fstat(fd_, &status) == 0 && status.st_nlink > 0) return;
+        // In the moment before it was locked somebody took it for a dead producer's.
+        shm_unlink(name_.c_str());
+        close(fd_);
+    }
+    throw std::runtime_error("cannot lock shared memory " + name_);
+}
+
 FrameRing::FrameRing(const std::string& camera, int slots, std::size_t slot_bytes)
-    : slots_(slots), slot_bytes_(whole_pages(slot_bytes)) {
+    : slot_bytes_(whole_pages(slot_bytes)) {
     if (slots < 2 || slots > most_slots || slot_bytes < 1 || slot_bytes > most_slot_bytes) {
         throw std::invalid_argument("a frame ring has 2 to 64 slots of 1 byte to 1 GiB");
     }
     remove_stale_rings();
-    name_ = new_name(camera);
-    fd_ = shm_open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    if (fd_ < 0) throw std::runtime_error("cannot make shared memory " + name_ + ": " + std::strerror(errno));
-    // Held as long as the producer lives, however it ends: see remove_stale_rings().
-    flock(fd_, LOCK_EX | LOCK_NB);
+    states_.resize(static_cast<std::size_t>(slots));
+    mapped_bytes_ = slot_offset(states_.size(), slot_bytes_);
+    const auto no_memory = [&](const std::string& why) {
+        return std::runtime_error(
+            "no shared memory for " + std::to_string(slots) + " frames of " + std::to_string(slot_bytes) +
+            " bytes (" + megabytes(mapped_bytes_) + "): " + why +
+            "; make room in /dev/shm (\"ls -l /dev/shm\" shows what is there), enlarge it "
+            "(\"mount -o remount,size=SIZE /dev/shm\") or use fewer frames or buffers");
+    };
+    // Asked first: an allocation that fails half-way takes from others meanwhile what they may need.
+    if (const std::uint64_t left = free_bytes(); left < mapped_bytes_)
+        throw no_memory("only " + std::to_string(left / 1'000'000) + " MB are left there");
 
-    mapped_bytes_ = data_offset + static_cast<std::size_t>(slots) * slot_bytes_;
-    const auto give_up = [this](const std::string& why) {
+    make_segment(camera);
+    const auto give_up = [&](int error) {
         shm_unlink(name_.c_str());
         close(fd_);
-        throw std::runtime_error("no shared memory for " + std::to_string(slots_) + " frames of " +
-                                 std::to_string(slot_bytes_) + " bytes: " + why +
-                                 "; make room in /dev/shm (\"df /dev/shm\" shows it) or use fewer slots");
+        throw no_memory(std::strerror(error));
     };
-    if (const int error = allocate(fd_, mapped_bytes_); error != 0) give_up(std::strerror(error));
-    void* memory = mmap(nullptr, mapped_bytes_, PROT_READ | PROT_WRITE, MAP_SHARED, fd_, 0);
-    if (memory == MAP_FAILED) give_up(std::strerror(errno));
+    if (const int error = allocate(fd_, mapped_bytes_); error != 0) give_up(error);
+    // Populated, or the first frame in each slot would cost a page fault for every 4 kB.
+    void* memory = mmap(nullptr, mapped_bytes_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_POPULATE, fd_, 0);
+    if (memory == MAP_FAILED) give_up(errno);
     ring_ = static_cast<RingLayout*>(memory);  // zero pages: every generation is 0
     ring_->version = ring_version;
     ring_->slots = static_cast<std::uint32_t>(slots);
@@ -126,29 +161,54 @@ FrameRing::~FrameRing() {
     close(fd_);
 }
 
-std::span<std::uint8_t> FrameRing::begin_write(std::size_t size) {
-    if (size > slot_bytes_) throw std::invalid_argument("a frame larger than its ring's slots");
-    const auto slot = static_cast<std::size_t>(next_);
-    ring_->slot[slot].generation.store(static_cast<std::uint64_t>(generation_) + 1,
-                                       std::memory_order_relaxed);
-    // No pixel may become visible before the odd generation.
-    std::atomic_thread_fence(std::memory_order_release);
-    return {reinterpret_cast<std::uint8_t*>(ring_) + slot_offset(slot, slot_bytes_), size};
+int FrameRing::open_slots() const {
+    return static_cast<int>(
+        std::count_if(states_.begin(), states_.end(), [](const State& s) { return s.open; }));
 }
 
-RingPlace FrameRing::finish_write() {
-    const RingPlace place{next_, generation_ + 2};
-    ring_->slot[static_cast<std::size_t>(next_)].generation.store(
-        static_cast<std::uint64_t>(place.generation), std::memory_order_release);
-    generation_ = place.generation;
-    next_ = (next_ + 1) % slots_;
-    return place;
+FrameRing::OpenSlot FrameRing::begin_write(std::size_t size) {
+    if (size > slot_bytes_) throw std::invalid_argument("a frame larger than its ring's slots");
+    const auto oldest = std::min_element(states_.begin(), states_.end(), [](const State& a, const State& b) {
+        return a.open != b.open ? b.open : a.finished < b.finished;
+    });
+    if (oldest->open) throw std::logic_error("every slot of the ring is being written");
+    oldest->open = true;
+    const auto slot = static_cast<std::size_t>(oldest - states_.begin());
+    ring_->slot[slot].generation.store(static_cast<std::uint64_t>(generation_) + 1,
+                                       std::memory_order_relaxed);
+    // No pixel may become visible before the odd generation. Between processors release order would do; a
+    // device that writes by itself is none, so the store has to have left this one before it is told of the
+    // slot.
+    std::atomic_thread_fence(std::memory_order_seq_cst);
+    return {static_cast<int>(slot),
+            {reinterpret_cast<std::uint8_t*>(ring_) + slot_offset(slot, slot_bytes_), size}};
+}
+
+RingPlace FrameRing::finish_write(int slot) {
+    State& state = states_.at(static_cast<std::size_t>(slot));
+    if (!state.open) throw std::logic_error("a slot of the ring finished that was not being written");
+    generation_ += 2;
+    state = {false, generation_};
+    // Release order leaves out stores that go past the cache, as copies of megabytes may; this does not. What
+    // the kernel wrote is ordered by the system call that said so.
+    std::atomic_thread_fence(std::memory_order_seq_cst);
+    ring_->slot[static_cast<std::size_t>(slot)].generation.store(static_cast<std::uint64_t>(generation_),
+                                                                 std::memory_order_release);
+    return {slot, generation_};
+}
+
+void FrameRing::abandon(int slot) noexcept {
+    states_[static_cast<std::size_t>(slot)] = {};  // its generation stays odd
 }
 
 bool RingFrame::still_valid() const {
     // No pixel may be read after the generation.
     std::atomic_thread_fence(std::memory_order_acquire);
     return ring_->slot[slot_].generation.load(std::memory_order_relaxed) == generation_;
+}
+
+void RingReader::let_go_of_the_gone() {
+    std::erase_if(mappings_, [](const Mapping& mapping) { return !exists(mapping.name); });
 }
 
 const RingReader::Mapping* RingReader::mapped(const std::string& name) {
@@ -161,6 +221,7 @@ const RingReader::Mapping* RingReader::mapped(const std::string& name) {
 
     failure_ = RingFailure::refused;
     if (!is_ring_name(name)) return nullptr;
+    let_go_of_the_gone();
     const int fd = shm_open(name.c_str(), O_RDONLY | O_CLOEXEC, 0);
     if (fd < 0) {
         if (errno == ENOENT) failure_ = RingFailure::gone;
@@ -183,6 +244,9 @@ const RingReader::Mapping* RingReader::mapped(const std::string& name) {
                        mapping.slot_bytes <= most_slot_bytes &&
                        slot_offset(mapping.slots, mapping.slot_bytes) <= size;
     if (!sound) return nullptr;
+#ifdef MADV_POPULATE_READ
+    madvise(memory, size, MADV_POPULATE_READ);  // as for the producer; older kernels do without
+#endif
     if (mappings_.size() == kept_mappings) mappings_.erase(mappings_.begin());
     mappings_.push_back(mapping);
     return &mappings_.back();
@@ -218,13 +282,8 @@ int remove_stale_rings() {
     for (const auto& entry : std::filesystem::directory_iterator(shared_memory_folder, error)) {
         const std::string file = entry.path().filename().string();
         if (!file.starts_with(prefix)) continue;
-        pid_t pid = 0;
-        const char* digits = file.data() + prefix.size();
-        const auto [stop, parsed] = std::from_chars(digits, file.data() + file.size(), pid);
-        if (parsed != std::errc() || stop == file.data() + file.size() || *stop != '-' || pid <= 0 ||
-            is_alive(pid))
-            continue;
-        // A producer in another process namespace looks dead from here, but holds its lock.
+        // Whoever gets the lock knows that its producer is dead: in any process namespace, and although
+        // another process may have its number by now.
         const int fd = shm_open(file.c_str(), O_RDONLY | O_CLOEXEC, 0);
         if (fd < 0) continue;
         if (flock(fd, LOCK_EX | LOCK_NB) == 0 && shm_unlink(file.c_str()) == 0) ++removed;

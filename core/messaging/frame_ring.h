@@ -15,10 +15,20 @@ namespace goalmouth {
 /// Pixels between processes: a ring of slots in POSIX shared memory, one producer, any number of readers that
 /// cannot write.
 ///
-/// Nobody waits for anybody: the producer takes the next slot, whoever may still be reading it. Each slot
-/// therefore has a generation (a sequence lock): odd while it is written, even and larger by two with each
-/// frame. A reader takes a frame by the generation its descriptor names, uses the pixels in place, and asks
-/// still_valid() after use, before it believes the result.
+/// Nobody waits for anybody: the producer takes the slot it finished longest ago, whoever may still be
+/// reading it. Each slot therefore has a generation (a sequence lock): odd while it is written, even and
+/// larger than ever before once it is finished. A reader takes a frame by the generation its descriptor
+/// names, uses the pixels in place, and asks still_valid() after use, before it believes the result.
+///
+/// Several slots may be open for writing at once, as for a driver that fills user memory: with s slots of
+/// which w are open at any time, a frame stays readable until s − w more have been finished.
+///
+/// Against whom: other users cannot open a ring (mode 0600, and readers check its owner). A program of the
+/// same user that cuts a ring's file short while it is read ends the reader with SIGBUS. Readers check the
+/// size when they map it and leave it at that: a check before or after each use cannot close the gap, a
+/// SIGBUS handler would have to live in every process that reads (some are not ours), sealed memory has no
+/// name to open it by, and whoever could do this could as well kill the reader. Our producers never shrink a
+/// ring; they make another.
 struct RingLayout;
 
 /// Where a frame stands in its producer's ring: what image_t carries.
@@ -27,13 +37,20 @@ struct RingPlace {
     std::int64_t generation = 0;
 };
 
-/// The producer's side. The memory is only its user's to open (mode 0600) and gone when this object goes;
-/// after a crash, remove_stale_rings() finds it.
+/// The producer's side. The memory is only its user's to open and gone when this object goes; after a crash,
+/// remove_stale_rings() finds it.
 class FrameRing {
   public:
-    /// Slots of at least `slot_bytes` bytes. `camera` becomes part of the name. Also removes stale rings.
-    /// Throws std::runtime_error where shared memory does not suffice, std::invalid_argument for sizes
-    /// outside 2…64 slots and 1 byte…1 GiB.
+    /// A slot that is being written.
+    struct OpenSlot {
+        int slot = 0;
+        std::span<std::uint8_t> bytes;  // page-aligned
+    };
+
+    /// Slots of at least `slot_bytes` bytes, all of them allocated here and now: writing never fails later.
+    /// `camera` becomes part of the name. Also removes stale rings. Throws std::runtime_error where shared
+    /// memory does not suffice (without taking any), std::invalid_argument for sizes outside 2…64 slots and
+    /// 1 byte…1 GiB.
     FrameRing(const std::string& camera, int slots, std::size_t slot_bytes);
     ~FrameRing();
     FrameRing(const FrameRing&) = delete;
@@ -41,24 +58,35 @@ class FrameRing {
 
     /// "/goalmouth-UID-PID-CAMERA-RANDOM"
     const std::string& name() const { return name_; }
-    int slots() const { return slots_; }
+    int slots() const { return static_cast<int>(states_.size()); }
     std::size_t slot_bytes() const { return slot_bytes_; }
+    /// How many slots are being written.
+    int open_slots() const;
 
-    /// The next slot to write a frame of `size` ≤ slot_bytes() into, page-aligned. What stood there is gone
-    /// from now on. Calling it again before finish_write() gives the same slot.
-    std::span<std::uint8_t> begin_write(std::size_t size);
-    /// The slot is whole: readers may use it until its turn comes again.
-    RingPlace finish_write();
+    /// Opens the slot that was finished longest ago (of those never finished or abandoned, the first) for a
+    /// frame of `size` ≤ slot_bytes(). What stood there is gone from now on. Whatever writes there, a device
+    /// too, may begin after this returns. Throws std::logic_error where all are open.
+    OpenSlot begin_write(std::size_t size);
+    /// The slot is whole, nobody writes there any more: readers may use it until it is opened again. Throws
+    /// std::logic_error for one that is not open.
+    RingPlace finish_write(int slot);
+    /// Nothing of use was written, and nobody writes there any more: no reader will see it.
+    void abandon(int slot) noexcept;
 
   private:
+    struct State {
+        bool open = false;
+        std::int64_t finished = 0;  // generation; 0: holds no frame
+    };
+    void make_segment(const std::string& camera);
+
     std::string name_;
     int fd_ = -1;
-    int slots_ = 0;
+    std::vector<State> states_;
     std::size_t slot_bytes_ = 0;
     std::size_t mapped_bytes_ = 0;
     RingLayout* ring_ = nullptr;
-    int next_ = 0;
-    std::int64_t generation_ = 0;  // the last one that was finished
+    std::int64_t generation_ = 0;  // of the frame finished last
 };
 
 /// One frame in a ring, read in place. Keeps the memory mapped, not the frame.
@@ -84,7 +112,9 @@ enum class RingFailure {
     refused,      // the descriptor or the ring makes no sense
 };
 
-/// The readers' side: opens rings as descriptors name them and keeps the last few mapped.
+/// The readers' side: opens rings as descriptors name them and keeps the last few mapped. A descriptor of a
+/// ring not seen before is the sign to let go of those whose producers are gone: until then their memory
+/// still counts against /dev/shm.
 class RingReader {
   public:
     /// The frame a descriptor refers to. Checks the ring's header, its size and the slot's generation first.
@@ -100,12 +130,14 @@ class RingReader {
         std::size_t slot_bytes = 0;
     };
     const Mapping* mapped(const std::string& name);
+    void let_go_of_the_gone();
 
     std::vector<Mapping> mappings_;  // the last used one last
     RingFailure failure_ = RingFailure::none;
 };
 
-/// Removes the rings of this user whose producer has died without removing them. Returns how many.
+/// Removes the rings of this user whose producer has died without removing them, however long ago and whoever
+/// has its process number now. Returns how many.
 int remove_stale_rings();
 
 }  // namespace goalmouth

@@ -1,6 +1,5 @@
 #include "core/messaging/image_input.h"
 
-#include "core/imaging/jpeg.h"
 #include "core/messaging/typed.h"
 
 #include <cstdlib>
@@ -87,20 +86,21 @@ void ImageInput::take(const std::string& channel, const image_slice_t& slice) {
 void ImageInput::hand_out(const std::string& channel, const image_t& image,
                           std::optional<RingFrame> ring_frame) {
     const auto bytes = ring_frame ? ring_frame->bytes() : std::span<const std::uint8_t>(image.data);
-    YuyvImage decoded;
     Frame frame;
     if (image.encoding == "jpeg") {
         try {
-            decoded = yuyv_from_jpeg(bytes);
+            const auto [width, height] = decoder_.size_of(bytes);
+            if (width != image.width || height != image.height) {
+                bus_.reject(channel, "a JPEG of another size than its message says");
+                return;
+            }
+            if (decoded_.width != width || decoded_.height != height) decoded_ = YuyvImage(width, height);
+            decoder_.decode(bytes, decoded_.data);
         } catch (const std::exception&) {
             bus_.reject(channel, "a JPEG that does not decode");
             return;
         }
-        if (decoded.width != image.width || decoded.height != image.height) {
-            bus_.reject(channel, "a JPEG of another size than its message says");
-            return;
-        }
-        frame.pixels = decoded.view();
+        frame.pixels = decoded_.view();
     } else {
         frame.pixels = {bytes.data(), image.width, image.height, image.row_stride};
     }

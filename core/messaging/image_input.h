@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/imaging/jpeg.h"
 #include "core/imaging/yuyv.h"
 #include "core/messaging/bus.h"
 #include "core/messaging/frame_ring.h"
@@ -41,6 +42,8 @@ struct Frame {
 /// Live, the newest descriptor counts, and the self-contained form of the same frames is left alone. On
 /// replay descriptors refer to rings that are gone; then the self-contained form is used, each frame of it.
 /// Numbers that start again lower (a camera started anew, a log played again) are taken.
+///
+/// Raw frames from shared memory are neither copied nor do they cost memory that grows with their size.
 class ImageInput {
   public:
     using Handler = std::function<void(const Frame&)>;
@@ -79,6 +82,8 @@ class ImageInput {
     Handler handler_;
     RingReader rings_;
     SliceAssembler assembler_;
+    JpegDecoder decoder_;
+    YuyvImage decoded_;  // of the frame handed out last, where it was a JPEG
     std::map<std::string, Camera> cameras_;
     std::int64_t frames_ = 0;
     std::int64_t dropped_ = 0;

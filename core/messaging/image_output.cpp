@@ -8,8 +8,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include <spdlog/spdlog.h>
+
 namespace goalmouth {
 namespace {
+
+constexpr const char* no_ring = "/goalmouth-none";
 
 image_t message_of(const FrameInfo& info, const std::string& camera) {
     image_t m{};
@@ -62,17 +66,37 @@ std::size_t packed_bytes(const YuyvView& pixels) {
 ImageOutput::ImageOutput(Bus& bus, std::string channel, std::string camera, int slots)
     : bus_(bus), channel_(std::move(channel)), camera_(std::move(camera)), slots_(slots) {}
 
-std::span<std::uint8_t> ImageOutput::begin(std::size_t bytes) {
-    if (!ring_ || ring_->slot_bytes() < bytes) {
-        ring_.reset();
+/// True once there is a ring whose slots hold `bytes`.
+bool ImageOutput::make_room(std::size_t bytes) {
+    if (ring_ && ring_->slot_bytes() >= bytes) return true;
+    if (ring_ && ring_->open_slots() > 0)
+        throw std::logic_error("a larger frame asked for while one is being written");
+    try {
         ring_ = std::make_unique<FrameRing>(camera_, slots_, bytes);
+    } catch (const std::runtime_error& error) {
+        if (!std::exchange(without_room_, true))
+            spdlog::error("images of camera {} cannot be sent: {}. Trying on", camera_, error.what());
+        return false;
     }
-    return ring_->begin_write(bytes);
+    if (std::exchange(without_room_, false))
+        spdlog::info("there is shared memory for the images of camera {} now", camera_);
+    return true;
 }
 
-void ImageOutput::announce(const FrameInfo& info, const char* encoding, int row_stride, std::size_t bytes) {
-    if (!ring_) throw std::logic_error("a frame announced without begin()");
-    const RingPlace place = ring_->finish_write();
+FrameSlot ImageOutput::open(std::size_t bytes) {
+    if (!make_room(bytes)) return {};
+    const FrameRing::OpenSlot slot = ring_->begin_write(bytes);
+    return {*this, slot.slot, slot.bytes};
+}
+
+void ImageOutput::abandon(int number) noexcept {
+    ring_->abandon(number);
+}
+
+void ImageOutput::announce(const FrameInfo& info, const char* encoding, int row_stride, std::size_t bytes,
+                           FrameSlot slot) {
+    if (!slot) throw std::logic_error("a frame announced without a slot");
+    const RingPlace place = ring_->finish_write(slot.take());
     image_t m = message_of(info, camera_);
     m.encoding = encoding;
     m.row_stride = row_stride;
@@ -83,19 +107,50 @@ void ImageOutput::announce(const FrameInfo& info, const char* encoding, int row_
     goalmouth::publish(bus_, channel_, m);
 }
 
-void ImageOutput::publish_yuyv(const FrameInfo& info, int row_stride) {
-    announce(info, "yuyv", row_stride,
-             static_cast<std::size_t>(row_stride) * static_cast<std::size_t>(info.intrinsics.height));
+void ImageOutput::announce_missing(const FrameInfo& info) {
+    ++missed_frames_;
+    image_t m = message_of(info, camera_);
+    m.encoding = "yuyv";
+    m.row_stride = yuyv_row_bytes(m.width);
+    m.size = m.row_stride * m.height;
+    m.ring = no_ring;
+    m.slot = 0;
+    m.generation = 0;
+    goalmouth::publish(bus_, channel_, m);
 }
 
-void ImageOutput::publish_jpeg(const FrameInfo& info, std::size_t jpeg_bytes) {
-    announce(info, "jpeg", 0, jpeg_bytes);
+void ImageOutput::publish_yuyv(const FrameInfo& info, int row_stride, FrameSlot slot) {
+    const auto bytes =
+        static_cast<std::size_t>(row_stride) * static_cast<std::size_t>(info.intrinsics.height);
+    announce(info, "yuyv", row_stride, bytes, std::move(slot));
+    ++frames_in_place_;
 }
 
-void ImageOutput::publish(const FrameInfo& info, const YuyvView& pixels) {
+void ImageOutput::publish_jpeg(const FrameInfo& info, std::size_t jpeg_bytes, FrameSlot slot) {
+    announce(info, "jpeg", 0, jpeg_bytes, std::move(slot));
+    ++frames_in_place_;
+}
+
+bool ImageOutput::publish(const FrameInfo& info, const YuyvView& pixels) {
     check_size(info, pixels);
-    copy_rows(pixels, begin(packed_bytes(pixels)));
-    publish_yuyv(info, yuyv_row_bytes(pixels.width));
+    const std::size_t bytes = packed_bytes(pixels);
+    FrameSlot slot = open(bytes);
+    if (!slot) {
+        announce_missing(info);
+        return false;
+    }
+    copy_rows(pixels, slot.bytes().first(bytes));
+    announce(info, "yuyv", yuyv_row_bytes(pixels.width), bytes, std::move(slot));
+    ++copied_frames_;
+    return true;
+}
+
+bool ImageOutput::publish(const FrameInfo& info, Captured& image) {
+    const YuyvView pixels{image.bytes.data(), image.width, image.height, image.stride};
+    if (!image.slot) return publish(info, pixels);
+    check_size(info, pixels);
+    publish_yuyv(info, image.stride, std::move(image.slot));
+    return true;
 }
 
 image_t self_contained_yuyv(const FrameInfo& info, const std::string& camera, const YuyvView& pixels) {

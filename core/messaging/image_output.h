@@ -1,13 +1,16 @@
 #pragma once
 
+#include "core/imaging/source.h"
 #include "core/imaging/yuyv.h"
 #include "core/messaging/bus.h"
 #include "core/messaging/frame_ring.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 
 #include <goalmouth/intrinsics_t.hpp>
 
@@ -23,33 +26,64 @@ struct FrameInfo {
 };
 
 /// The sending end of a camera: pixels into a ring of shared memory, a descriptor onto the bus.
-class ImageOutput {
+///
+/// Where /dev/shm has no room for the ring, that is said once, with the remedy, and tried again with each
+/// frame; frames meanwhile are counted as missed. Such a frame's descriptor is still sent, naming no ring
+/// there is: it has readers let go of the ring of a camera that ended before, whose memory is perhaps what is
+/// missing.
+class ImageOutput : public FrameMemory {
   public:
-    /// The ring is made with the first frame, and anew where a frame is larger than its slots.
+    /// The ring has `slots` slots. It is made with the first frame, and anew where a frame is larger than its
+    /// slots; the smaller one stays where there is no room for a larger.
     ImageOutput(Bus& bus, std::string channel, std::string camera, int slots = 8);
 
-    /// Copies a frame into the ring and announces it. Throws std::runtime_error where shared memory does not
-    /// suffice.
-    void publish(const FrameInfo& info, const YuyvView& pixels);
+    /// Memory in the ring for a frame of `bytes`: to be filled and announced by publish_yuyv() or
+    /// publish_jpeg(). Empty where there is no room; publish() then makes another attempt and counts.
+    /// Throws std::logic_error where all slots are open, or for a larger frame than the ring's while one is.
+    FrameSlot open(std::size_t bytes) override;
+    int slots() const override { return slots_; }
 
-    /// Without the copy: memory for the next frame, at least `bytes` long; fill it, then announce it by one
-    /// of the functions below.
-    std::span<std::uint8_t> begin(std::size_t bytes);
-    void publish_yuyv(const FrameInfo& info, int row_stride);
-    void publish_jpeg(const FrameInfo& info, std::size_t jpeg_bytes);
+    /// Announce what was written into a slot of open(). None is copied.
+    void publish_yuyv(const FrameInfo& info, int row_stride, FrameSlot slot);
+    void publish_jpeg(const FrameInfo& info, std::size_t jpeg_bytes, FrameSlot slot);
+    /// Copies a frame into the ring and announces it. False where it was missed for want of memory.
+    bool publish(const FrameInfo& info, const YuyvView& pixels);
+    /// One or the other, as `image` (4:2:2) stands in a slot of this or not. Gives the slot up.
+    bool publish(const FrameInfo& info, Captured& image);
+
+    std::int64_t frames_in_place() const { return frames_in_place_; }  // announced without a copy
+    std::int64_t copied_frames() const { return copied_frames_; }      // copied once, then announced
+    std::int64_t missed_frames() const { return missed_frames_; }      // not announced for want of memory
+
+    /// The three by their names in STATUS: all frames are the sum of them, and copies of a frame between
+    /// where it was made and who reads it are copied_frames ÷ (frames_in_place + copied_frames).
+    using Counters = std::array<std::pair<const char*, double>, 3>;
+    Counters counters() const {
+        return {{{"frames_in_place", static_cast<double>(frames_in_place_)},
+                 {"copied_frames", static_cast<double>(copied_frames_)},
+                 {"missed_frames", static_cast<double>(missed_frames_)}}};
+    }
 
     const std::string& camera() const { return camera_; }
-    /// Name of the ring, "" before the first frame.
+    /// Name of the ring, "" while there is none.
     std::string ring() const { return ring_ ? ring_->name() : ""; }
 
   private:
-    void announce(const FrameInfo& info, const char* encoding, int row_stride, std::size_t bytes);
+    void abandon(int number) noexcept override;
+    bool make_room(std::size_t bytes);
+    void announce(const FrameInfo& info, const char* encoding, int row_stride, std::size_t bytes,
+                  FrameSlot slot);
+    void announce_missing(const FrameInfo& info);
 
     Bus& bus_;
     std::string channel_;
     std::string camera_;
     int slots_;
     std::unique_ptr<FrameRing> ring_;
+    bool without_room_ = false;
+    std::int64_t frames_in_place_ = 0;
+    std::int64_t copied_frames_ = 0;
+    std::int64_t missed_frames_ = 0;
 };
 
 /// Bytes of an encoded message that go out as one datagram (UDP takes 65507, LCM's header and the channel

@@ -4,7 +4,6 @@
 #include "core/imaging/calibration.h"
 #include "core/imaging/directory_source.h"
 #include "core/imaging/file_error.h"
-#include "core/imaging/jpeg.h"
 #include "core/imaging/v4l2_source.h"
 #include "core/imaging/video_source.h"
 #include "core/messaging/channels.h"
@@ -21,9 +20,11 @@ namespace goalmouth {
 namespace {
 
 constexpr std::chrono::milliseconds longest_wait{50};
+constexpr std::chrono::milliseconds least_lead{
+    2};  // before it is due, an image of a file is fetched at the latest
 constexpr double usual_rate = 30.0;
 
-std::unique_ptr<ImageSource> open_source(const CameraParameters& p) {
+std::unique_ptr<ImageSource> open_source(const CameraParameters& p, FrameMemory& memory) {
     const SourceLog log = [](const std::string& what) { spdlog::warn("{}", what); };
     const ImageSize size{p.width, p.height};
     try {
@@ -35,15 +36,21 @@ std::unique_ptr<ImageSource> open_source(const CameraParameters& p) {
             settings.height = p.height;
             settings.frames_per_second = p.frames_per_second;
             settings.buffers = p.buffers;
-            return std::make_unique<V4l2Source>(settings, log);
+            return std::make_unique<V4l2Source>(settings, log, &memory);
         }
         if (p.path.empty())
             throw ConfigurationError("path: empty, but the source \"" + p.source + "\" needs one");
-        if (p.source == "video") return std::make_unique<VideoSource>(p.path, p.loop, log);
-        return std::make_unique<DirectorySource>(p.path, size, p.loop, log);
+        if (p.source == "video") return std::make_unique<VideoSource>(p.path, p.loop, log, &memory);
+        return std::make_unique<DirectorySource>(p.path, size, p.loop, log, &memory);
     } catch (const FileError& error) {
         throw ConfigurationError(error.what());
     }
+}
+
+/// Slots of the ring: those that are being written, one at a time where no driver does it, come on top of
+/// those readers can count on.
+int slots_of(const CameraParameters& p) {
+    return p.readable_frames + (p.source == "v4l2" ? p.buffers : 1);
 }
 
 double rate_of(const ImageSource& source, const CameraParameters& p) {
@@ -65,10 +72,11 @@ ModuleInfo CameraModule::info() {
 CameraModule::CameraModule(ModuleContext& context, const Parameters& parameters)
     : context_(context),
       parameters_(parameters),
-      source_(open_source(parameters)),
-      output_(context.bus, context.channel(channels::image), parameters.camera_name),
+      output_(context.bus, context.channel(channels::image), parameters.camera_name, slots_of(parameters)),
+      source_(open_source(parameters, output_)),
       info_output_(context.bus, context.channel(channels::camera_info)),
       rate_(rate_of(*source_, parameters)) {
+    for (const auto& [name, value] : output_.counters()) context_.status.set(name, value);
     if (!parameters.camera.empty())
         calibration_ = load_parameters<Intrinsics>(std::filesystem::path(parameters.camera));
     if (source_->live() && calibration_ &&
@@ -93,19 +101,18 @@ std::optional<Intrinsics> CameraModule::intrinsics_for(int width, int height) {
     return fitting;
 }
 
-bool CameraModule::decode(const Captured& frame) {
-    if (frame.format == PixelFormat::yuyv) {
-        pixels_ = {frame.bytes.data(), frame.width, frame.height, frame.stride};
-        return true;
-    }
+/// Motion JPEG into pixels.
+bool CameraModule::decode() {
+    if (captured_.format == PixelFormat::yuyv) return true;
+    const auto jpeg = captured_.bytes;
     try {
-        decoded_ = yuyv_from_jpeg(frame.bytes);
+        const auto [width, height] = decoder_.size_of(jpeg);
+        decoder_.decode(jpeg, decoded_.prepare(captured_, width, height));
     } catch (const std::runtime_error& error) {
         context_.status.count("damaged_jpeg");
         if (!std::exchange(said_damaged_jpeg_, true)) spdlog::warn("skipped: a frame: {}", error.what());
         return false;
     }
-    pixels_ = decoded_.view();
     return true;
 }
 
@@ -116,8 +123,8 @@ bool CameraModule::fetch() {
     if (outcome == ImageSource::Outcome::ended)
         end_ = Clock::now() +
                std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(parameters_.linger));
-    if (outcome != ImageSource::Outcome::captured || !decode(captured_)) return false;
-    intrinsics_ = intrinsics_for(pixels_.width, pixels_.height);
+    if (outcome != ImageSource::Outcome::captured || !decode()) return false;
+    intrinsics_ = intrinsics_for(captured_.width, captured_.height);
     return intrinsics_.has_value();
 }
 
@@ -139,8 +146,12 @@ void CameraModule::send(std::int64_t utime) {
     info.seq = seq_++;
     info.intrinsics = to_message(*intrinsics_);
     announce_camera(utime);
-    output_.publish(info, pixels_);
-    context_.status.output(utime);
+    if (output_.publish(info, captured_)) {
+        context_.status.output(utime);
+    } else {
+        context_.status.dropped(1);
+    }
+    for (const auto& [name, value] : output_.counters()) context_.status.set(name, value);
 }
 
 void CameraModule::announce_camera(std::int64_t utime) {
@@ -153,16 +164,31 @@ void CameraModule::announce_camera(std::int64_t utime) {
     info_output_.announce(info);
 }
 
+/// How long until the next image of a file is due; negative where it is late.
+std::chrono::microseconds CameraModule::time_left() const {
+    return std::chrono::ceil<std::chrono::microseconds>(start_ + clock_->after_start(seq_) - Clock::now());
+}
+
+// Not right after the image before: whoever works on that one needs the processor and the memory now.
+std::chrono::microseconds CameraModule::fetch_in_time() {
+    if (clock_ && time_left() > lead_) return time_left() - lead_;
+    const auto begun = Clock::now();
+    fetched_ = fetch();
+    const auto took = std::chrono::ceil<std::chrono::microseconds>(Clock::now() - begun);
+    lead_ = std::max(lead_ * 9 / 10, least_lead + 3 * took);
+    return std::chrono::microseconds(0);
+}
+
 std::chrono::microseconds CameraModule::send_when_due() {
-    if (!fetched_) fetched_ = fetch();
-    if (!fetched_) return std::chrono::microseconds(0);
+    if (!fetched_) {
+        const auto wait = fetch_in_time();
+        if (!fetched_) return wait;
+    }
     if (!clock_) {
         start_ = Clock::now();
         clock_.emplace(utime_or_now(parameters_.start_time), rate_);
     }
-    const auto left =
-        std::chrono::ceil<std::chrono::microseconds>(start_ + clock_->after_start(seq_) - Clock::now());
-    if (left.count() > 0) return left;
+    if (const auto left = time_left(); left.count() > 0) return left;
     send(clock_->utime(seq_));
     fetched_ = false;
     return std::chrono::microseconds(0);

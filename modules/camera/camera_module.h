@@ -1,9 +1,10 @@
 #pragma once
 
 #include "core/geometry/camera.h"
+#include "core/imaging/capture_buffer.h"
 #include "core/imaging/frame_clock.h"
+#include "core/imaging/jpeg.h"
 #include "core/imaging/source.h"
-#include "core/imaging/yuyv.h"
 #include "core/messaging/camera_info_output.h"
 #include "core/messaging/image_output.h"
 #include "core/parameters/parameters.h"
@@ -29,6 +30,7 @@ struct CameraParameters {
     std::string camera;
     std::string camera_name = "camera";
     int buffers = 4;
+    int readable_frames = 8;
     double linger = 1.0;
     double start_time = 0.0;
 };
@@ -50,6 +52,8 @@ void describe_parameters(Visitor& v, CameraParameters& p) {
       "calibration; empty: a camera 60° wide without distortion is assumed");
     v("camera_name", p.camera_name, Text{}, "name of the camera in messages");
     v("buffers", p.buffers, Range{2, 32}, "1", "source v4l2: frames the driver may hold");
+    v("readable_frames", p.readable_frames, Range{2, 32}, "1",
+      "how many of the last frames stay readable; memory is for these and those the driver holds");
     v("linger", p.linger, Range{0, 60}, "s",
       "how long the pixels of the last image stay readable after a source has ended");
     v("start_time", p.start_time, Range{0, 1e10}, "s",
@@ -72,29 +76,32 @@ class CameraModule : public Module {
 
     bool fetch();
     std::chrono::microseconds send_when_due();
+    std::chrono::microseconds fetch_in_time();
+    std::chrono::microseconds time_left() const;
     void send(std::int64_t utime);
     void announce_camera(std::int64_t utime);
     std::optional<Intrinsics> intrinsics_for(int width, int height);
-    bool decode(const Captured& frame);
+    bool decode();
     void report_counters();
 
     ModuleContext& context_;
     Parameters parameters_;
+    ImageOutput output_;  // before the source, which writes into it
     std::unique_ptr<ImageSource> source_;
-    ImageOutput output_;
     CameraInfoOutput info_output_;
     std::optional<Intrinsics> calibration_;
     std::optional<Intrinsics> intrinsics_;  // of the image fetched last
 
-    YuyvImage decoded_;
-    YuyvView pixels_;  // of the image fetched last
-    Captured captured_;
+    JpegDecoder decoder_;
+    CaptureBuffer decoded_{&output_};
+    Captured captured_;  // fetched last
     bool fetched_ = false;
 
     std::int64_t seq_ = 0;
     double rate_ = 0.0;
     std::optional<FrameClock> clock_;  // of files, from the first image on
     Clock::time_point start_{};
+    std::chrono::microseconds lead_{0};  // so long before it is due a file's image is fetched
     std::optional<Clock::time_point> end_;
     SourceCounters reported_;
     bool said_damaged_jpeg_ = false;

@@ -57,11 +57,9 @@ std::chrono::microseconds SimulatorModule::since_start() const {
 
 /// Renders ahead of time, so that a frame leaves when it is due and not a rendering time later.
 void SimulatorModule::prepare() {
-    const int stride = yuyv_row_bytes(simulation_.camera().width);
-    const auto memory = output_.begin(static_cast<std::size_t>(stride) *
-                                      static_cast<std::size_t>(simulation_.camera().height));
+    const auto memory = buffer_.prepare(image_, simulation_.camera().width, simulation_.camera().height);
     Random random = context_.random(seq_);
-    frame_ = simulation_.capture(clock_->seconds(time_), random, memory.data(), stride);
+    frame_ = simulation_.capture(clock_->seconds(time_), random, memory.data(), image_.stride);
     prepared_ = true;
 }
 
@@ -76,8 +74,12 @@ void SimulatorModule::send() {
     publish(bus, context_.channel(channels::odometry),
             odometry_message(frame_, parameters_.walk.odometry, info.utime, seq_));
     publish(bus, context_.channel(channels::truth), to_message(frame_.truth, info.utime, seq_));
-    output_.publish_yuyv(info, yuyv_row_bytes(simulation_.camera().width));
-    context_.status.output(info.utime);
+    if (output_.publish(info, image_)) {
+        context_.status.output(info.utime);
+    } else {
+        context_.status.dropped(1);
+    }
+    for (const auto& [name, value] : output_.counters()) context_.status.set(name, value);
 
     camera_info_t camera{};
     camera.utime = info.utime;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/imaging/capture_buffer.h"
 #include "core/imaging/frame_clock.h"
 #include "core/messaging/camera_info_output.h"
 #include "core/messaging/image_output.h"
@@ -78,6 +79,8 @@ class SimulatorModule : public Module {
     std::int64_t time_ = 0;  // its number on the clock
     std::int64_t seq_ = 0;   // its number among the frames sent
     SimulatedFrame frame_;
+    CaptureBuffer buffer_{&output_};
+    Captured image_;  // its pixels
     std::optional<Clock::time_point> end_;
 };
 

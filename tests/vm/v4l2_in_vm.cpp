@@ -3,6 +3,7 @@
 #include "core/imaging/file_error.h"
 #include "core/imaging/v4l2_source.h"
 #include "core/imaging/yuyv.h"
+#include "tests/vm/checks.h"
 #include "tests/vm/controls.h"
 
 #include <algorithm>
@@ -24,12 +25,6 @@ using Clock = std::chrono::steady_clock;
 
 const std::string device = "/dev/video0";
 int failures = 0;
-
-void expect(bool holds, const std::string& what) {
-    std::printf("%s: %s\n", holds ? "ok" : "FAILED", what.c_str());
-    std::fflush(stdout);
-    failures += !holds;
-}
 
 std::vector<std::string> said;
 SourceLog log() {
@@ -240,7 +235,9 @@ int run() {
              {"wrap", survives_the_wrap_of_the_numbering},
              {"offers", says_what_is_offered},
              {"in use", says_that_the_camera_is_in_use},
-             {"disconnect", comes_back_after_a_disconnect}}) {
+             {"disconnect", comes_back_after_a_disconnect},
+             {"in place", driver_writes_into_the_ring},
+             {"in place, disconnect", vanished_driver_leaves_the_ring_alone}}) {
         std::printf("-- %s\n", name);
         try {
             check();
@@ -252,6 +249,13 @@ int run() {
 }
 
 }  // namespace
+
+void expect(bool holds, const std::string& what) {
+    std::printf("%s: %s\n", holds ? "ok" : "FAILED", what.c_str());
+    std::fflush(stdout);
+    failures += !holds;
+}
+
 }  // namespace goalmouth::test
 
 int main() {

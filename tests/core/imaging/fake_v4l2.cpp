@@ -28,10 +28,10 @@ int FakeCamera::dequeue(v4l2_buffer& buffer) {
     events.pop_front();
     if (event.error != 0) return event.error;
     if (free_.empty()) return EAGAIN;
-    buffer.index = free_.front();
+    buffer.index = free_.front().index;
+    const auto memory = free_.front().memory;
     free_.pop_front();
     --queued;
-    auto& memory = memory_[buffer.index];
     std::copy_n(event.bytes.begin(), std::min(event.bytes.size(), memory.size()), memory.begin());
     buffer.bytesused = static_cast<std::uint32_t>(event.bytes.size());
     buffer.sequence = event.sequence;
@@ -39,6 +39,23 @@ int FakeCamera::dequeue(v4l2_buffer& buffer) {
     buffer.timestamp.tv_sec = event.monotonic_us / 1000000;
     buffer.timestamp.tv_usec = event.monotonic_us % 1000000;
     return 0;
+}
+
+int FakeCamera::queue(const v4l2_buffer& buffer) {
+    if (buffer.memory == V4L2_MEMORY_USERPTR) {
+        if (user_queue_error != 0) return user_queue_error;
+        auto* memory = reinterpret_cast<std::uint8_t*>(buffer.m.userptr);
+        numbers_of_memory[memory].insert(buffer.index);
+        free_.push_back({buffer.index, {memory, buffer.length}});
+    } else {
+        free_.push_back({buffer.index, memory_[buffer.index]});
+    }
+    ++queued;
+    return 0;
+}
+
+void FakeCamera::scribble(std::uint8_t value) {
+    for (const Queued& buffer : free_) std::fill(buffer.memory.begin(), buffer.memory.end(), value);
 }
 
 int FakeCamera::ioctl(unsigned long request, void* argument) {
@@ -81,7 +98,15 @@ int FakeCamera::ioctl(unsigned long request, void* argument) {
         case VIDIOC_S_PARM:
             return 0;
         case VIDIOC_REQBUFS: {
-            const auto& wanted = *static_cast<v4l2_requestbuffers*>(argument);
+            auto& wanted = *static_cast<v4l2_requestbuffers*>(argument);
+            if (wanted.memory == V4L2_MEMORY_USERPTR) {
+                if (!takes_user_memory) return EINVAL;
+                wanted.count = std::min(wanted.count, static_cast<std::uint32_t>(user_buffers));
+            }
+            if (wanted.count == 0) {
+                free_.clear();
+                queued = 0;
+            }
             memory_.assign(wanted.count, std::vector<std::uint8_t>(4096));
             return 0;
         }
@@ -92,9 +117,7 @@ int FakeCamera::ioctl(unsigned long request, void* argument) {
             return 0;
         }
         case VIDIOC_QBUF:
-            ++queued;
-            free_.push_back(static_cast<v4l2_buffer*>(argument)->index);
-            return 0;
+            return queue(*static_cast<v4l2_buffer*>(argument));
         case VIDIOC_DQBUF:
             return dequeue(*static_cast<v4l2_buffer*>(argument));
         case VIDIOC_STREAMON:
@@ -102,6 +125,8 @@ int FakeCamera::ioctl(unsigned long request, void* argument) {
             return 0;
         case VIDIOC_STREAMOFF:
             streaming = false;
+            free_.clear();
+            queued = 0;
             return 0;
         default:
             return EINVAL;
@@ -123,6 +148,7 @@ struct FakeCalls {
     static void closed() {
         ++camera->closed;
         camera->fd_ = -1;
+        camera->free_.clear();
     }
     static void* map(off_t offset) {
         ++camera->mapped;

@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <deque>
 #include <linux/videodev2.h>
+#include <map>
+#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,19 +39,32 @@ class FakeCamera {
     int interrupted_polls = 0;
     short poll_events = 0;   // instead of POLLIN for a waiting event, where not 0
     bool unplugged = false;  // cannot be opened; an open one answers ENODEV
+    bool takes_user_memory = false;
+    int user_queue_error = 0;  // what queueing user memory ends with
+    int user_buffers = 32;     // how many it gives at most
+    /// Writes into everything that is queued, as a driver may at any time until it is stopped.
+    void scribble(std::uint8_t value);
 
     int opened = 0, closed = 0, mapped = 0, unmapped = 0;
     int queued = 0;  // buffers the driver holds
     bool streaming = false;
+
+    /// The buffer numbers each piece of user memory came under.
+    std::map<const void*, std::set<std::uint32_t>> numbers_of_memory;
 
     int ioctl(unsigned long request, void* argument);
 
   private:
     friend struct FakeCalls;
     int dequeue(v4l2_buffer& buffer);
+    int queue(const v4l2_buffer& buffer);
     int fd_ = -1;
     std::vector<std::vector<std::uint8_t>> memory_;
-    std::deque<std::uint32_t> free_;
+    struct Queued {
+        std::uint32_t index;
+        std::span<std::uint8_t> memory;
+    };
+    std::deque<Queued> free_;
 };
 
 }  // namespace goalmouth::test

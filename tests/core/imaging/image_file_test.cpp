@@ -130,6 +130,26 @@ TEST_F(ImageFile, WritingReplacesNeitherADeviceNorALink) {
     EXPECT_EQ(std::filesystem::file_size(folder_.path() / "target.yuyv"), 8U);
 }
 
+TEST_F(ImageFile, WritingFollowsAChainOfLinks) {
+    const auto write = [](const std::filesystem::path& file) { write_yuyv(file, YuyvImage(2, 2).view()); };
+    const auto folder = folder_.path() / "deeper";
+    std::filesystem::create_directory(folder);
+    std::filesystem::create_symlink("deeper/second.yuyv", folder_.path() / "first.yuyv");
+    std::filesystem::create_symlink("../third.yuyv", folder / "second.yuyv");
+    std::filesystem::create_symlink(folder / "end.yuyv", folder_.path() / "third.yuyv");
+    for (const char* when : {"nothing there yet", "something there"}) {
+        write(folder_.path() / "first.yuyv");
+        for (const auto& link :
+             {folder_.path() / "first.yuyv", folder / "second.yuyv", folder_.path() / "third.yuyv"})
+            EXPECT_TRUE(std::filesystem::is_symlink(link)) << link << ", " << when;
+        EXPECT_EQ(std::filesystem::file_size(folder / "end.yuyv"), 8U) << when;
+    }
+    std::filesystem::create_symlink("here.yuyv", folder_.path() / "there.yuyv");
+    std::filesystem::create_symlink("there.yuyv", folder_.path() / "here.yuyv");
+    EXPECT_THROW(write(folder_.path() / "here.yuyv"), FileError);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_.path() / "here.yuyv"));
+}
+
 TEST(ImageSize, IsReadFromText) {
     EXPECT_EQ(parse_image_size("640x480"), (ImageSize{640, 480}));
     EXPECT_EQ(parse_image_size("1x1"), (ImageSize{1, 1}));

@@ -9,6 +9,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -174,6 +175,48 @@ TEST(Calibration, IsAssumedWhereNobodyMeasured) {
     const Intrinsics camera = assumed_camera(640, 480);
     EXPECT_NEAR(camera.fx, 554.26, 0.01);
     EXPECT_EQ(assumed_camera(1, 1).width, 1);
+}
+
+/// One slot, or none while there is no room.
+class OneSlot : public FrameMemory {
+  public:
+    FrameSlot open(std::size_t bytes) override {
+        if (!room) return {};
+        EXPECT_FALSE(std::exchange(open_, true));
+        bytes_.assign(bytes, 0);
+        return {*this, 0, bytes_};
+    }
+    int slots() const override { return 1; }
+    bool room = true;
+
+  private:
+    void abandon(int) noexcept override { open_ = false; }
+    bool open_ = false;
+    std::vector<std::uint8_t> bytes_;
+};
+
+TEST_F(Sources, ImagesAreReadAndDecodedStraightIntoTheMemoryGiven) {
+    picture("a.png", 10);
+    picture("b.jpg", 20);
+    write_yuyv(folder_.path() / "c.yuyv", YuyvImage(8, 4).view());
+    text("d.png", "broken");
+    picture("e.png", 40);
+    OneSlot memory;
+    DirectorySource source(folder_.path(), ImageSize{8, 4}, true, log(), &memory);
+    for (int round = 0; round < 2; ++round) {
+        memory.room = round == 0;
+        for (const int luma : {10, 20, 0, 40}) {
+            Captured frame;
+            ASSERT_EQ(source.next(frame, no_wait), ImageSource::Outcome::captured);
+            EXPECT_EQ(static_cast<bool>(frame.slot), memory.room);
+            if (frame.slot) {
+                EXPECT_EQ(frame.bytes.data(), frame.slot.bytes().data());
+            }
+            EXPECT_EQ(frame.bytes.size(), 64U);
+            EXPECT_NEAR(frame.bytes[0], luma, 1);
+            EXPECT_EQ(frame.stride, 16);
+        }
+    }
 }
 
 }  // namespace

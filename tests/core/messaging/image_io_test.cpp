@@ -1,3 +1,4 @@
+#include "core/imaging/capture_buffer.h"
 #include "core/imaging/jpeg.h"
 #include "core/messaging/channels.h"
 #include "core/messaging/image_input.h"
@@ -6,6 +7,7 @@
 #include "core/messaging/typed.h"
 #include "tests/support/example_messages.h"
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <random>
@@ -99,6 +101,41 @@ TEST_F(ImageIo, AFrameArrivesBySharedMemory) {
     EXPECT_TRUE(seen[0].live);
     EXPECT_EQ(seen[0].pixels, picture(64, 48, 0).data);
     EXPECT_EQ(receiver.counters().rejected_total(), 0);
+}
+
+TEST_F(ImageIo, AFrameWrittenInPlaceIsReadInPlace) {
+    std::vector<const std::uint8_t*> pixels, slots;
+    ImageInput consumer(receiver, channels::image, "", "", [&](const Frame& frame) {
+        pixels.push_back(frame.pixels.data);
+        slots.push_back(frame.ring_frame->bytes().data());
+    });
+    const YuyvImage image = picture(64, 48, 7);
+    for (std::int64_t seq = 0; seq < 3; ++seq) {
+        Captured captured;
+        CaptureBuffer buffer(&output);
+        const auto memory = buffer.prepare(captured, 64, 48);
+        std::copy(image.data.begin(), image.data.end(), memory.begin());
+        EXPECT_TRUE(output.publish(info_of(seq), captured));
+        EXPECT_FALSE(captured.slot);
+        hub.run_until_idle();
+    }
+    EXPECT_EQ(pixels, slots);
+    ASSERT_EQ(seqs(), (Seqs{0, 1, 2}));
+    EXPECT_EQ(seen[2].pixels, image.data);
+    EXPECT_EQ(output.frames_in_place(), 3);
+    send_live(3);
+    EXPECT_EQ(output.copied_frames(), 1);
+    EXPECT_EQ(output.counters()[1].second, 1.0);
+}
+
+TEST_F(ImageIo, ASlotThatIsNotAnnouncedIsGivenBack) {
+    for (int i = 0; i < 20; ++i) EXPECT_TRUE(output.open(1000));
+    FrameSlot kept = output.open(1000);
+    EXPECT_THROW(output.open(1'000'000), std::logic_error) << "the ring cannot be replaced now";
+    kept = {};
+    EXPECT_TRUE(output.open(1'000'000));
+    hub.run_until_idle();
+    EXPECT_TRUE(seen.empty());
 }
 
 TEST_F(ImageIo, TheSameFrameArrivesFromEachSelfContainedForm) {
@@ -201,9 +238,9 @@ TEST_F(ImageIo, AReplayIntoAConsumerThatWasLiveIsTakenOnceTheRingIsGone) {
 
 TEST_F(ImageIo, FramesMayBeWrittenInPlaceAndGrow) {
     const YuyvImage small = picture(64, 48, 1);
-    const auto memory = output.begin(small.data.size());
-    std::memcpy(memory.data(), small.data.data(), small.data.size());
-    output.publish_yuyv(info_of(0), small.stride());
+    FrameSlot slot = output.open(small.data.size());
+    std::memcpy(slot.bytes().data(), small.data.data(), small.data.size());
+    output.publish_yuyv(info_of(0), small.stride(), std::move(slot));
     hub.run_until_idle();
     const std::string first_ring = output.ring();
     output.publish(info_of(1, 640, 480), picture(640, 480, 2).view());
@@ -238,8 +275,9 @@ TEST_F(ImageIo, OddWidthsSurvive) {
 TEST_F(ImageIo, JpegsAreDecodedInBothForms) {
     const YuyvImage image = picture(64, 48, 100);
     const auto jpeg = jpeg_from_yuyv(image.view(), 90);
-    std::memcpy(output.begin(jpeg.size()).data(), jpeg.data(), jpeg.size());
-    output.publish_jpeg(info_of(0), jpeg.size());
+    FrameSlot slot = output.open(jpeg.size());
+    std::memcpy(slot.bytes().data(), jpeg.data(), jpeg.size());
+    output.publish_jpeg(info_of(0), jpeg.size(), std::move(slot));
     hub.run_until_idle();
     publish(sender, channels::image_tap, self_contained_jpeg(info_of(100), "front", image.view(), 90, 60000));
     hub.run_until_idle();

@@ -7,8 +7,10 @@
 #include "core/process/run_module.h"
 #include "tests/support/data.h"
 #include "tests/support/files.h"
+#include "tests/support/small_shared_memory.h"
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -30,6 +32,7 @@ class Camera : public testing::Test {
         subscribe<image_t>(receiver, "IMAGE", [this](const image_t& m) {
             images_.push_back(m);
             const auto frame = reader_.try_open(m);
+            if (!pixels_expected_) return;
             ASSERT_TRUE(frame) << "the pixels are to be had";
             first_lumas_.push_back(frame->bytes()[0]);
         });
@@ -75,6 +78,7 @@ class Camera : public testing::Test {
     std::vector<image_t> images_;
     std::vector<camera_info_t> infos_;
     std::vector<int> first_lumas_;
+    bool pixels_expected_ = true;
 };
 
 TEST_F(Camera, SendsAFolderOnceAndEnds) {
@@ -137,6 +141,55 @@ TEST_F(Camera, SendsAnImageOfOnePixel) {
     run();
     ASSERT_EQ(images_.size(), 1U);
     EXPECT_EQ(images_[0].width, 1);
+}
+
+TEST_F(Camera, FilesAreReadAndDecodedStraightIntoSharedMemory) {
+    picture("a.png", 10, 640, 480);
+    picture("b.jpg", 20, 640, 480);
+    write_yuyv(folder_.path() / "c.yuyv", YuyvImage(640, 480).view());
+    run();
+    EXPECT_THAT(first_lumas_, ElementsAre(10, 20, 0));
+    EXPECT_EQ(status_.counters().at("frames_in_place"), 3.0);
+    EXPECT_EQ(status_.counters().at("copied_frames"), 0.0);
+    EXPECT_EQ(status_.counters().at("missed_frames"), 0.0);
+}
+
+TEST_F(Camera, SaysHowManyCopiesItMadeBeforeItMadeAny) {
+    picture("a.png", 10);
+    ModuleContext context{hub_.endpoint("camera"), status_, "camera", 0, {}};
+    const CameraModule module(context, parameters_);
+    EXPECT_EQ(status_.counters().at("copied_frames"), 0.0);
+}
+
+TEST_F(Camera, GoesOnWithoutRoomInSharedMemoryAndCountsWhatItCouldNotSend) {
+    picture("a.png", 10, 640, 480);
+    parameters_.loop = true;
+    const auto film = [this] {
+        auto& bus = hub_.endpoint("camera");
+        ModuleContext context{bus, status_, "camera", 0, {}};
+        CameraModule module(context, parameters_);
+        const auto run_until = [&](const std::function<bool()>& done) {
+            const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+            while (!done() && std::chrono::steady_clock::now() < deadline) {
+                module.tick();
+                bus.dispatch(std::chrono::milliseconds(0));
+            }
+            return done();
+        };
+        pixels_expected_ = false;
+        EXPECT_TRUE(run_until([&] { return images_.size() == 5; }));
+        EXPECT_EQ(status_.counters().at("missed_frames"), 5.0);
+        EXPECT_EQ(status_.dropped_frames(), 5);
+        EXPECT_EQ(status_.outputs(), 0);
+        test::resize_shared_memory(16);
+        pixels_expected_ = true;
+        EXPECT_TRUE(run_until([&] { return images_.size() == 8; }));
+        EXPECT_EQ(images_.back().seq, 7) << "numbers go on, so that consumers see the gap";
+        EXPECT_THAT(first_lumas_, ElementsAre(10, 10, 10));
+        EXPECT_EQ(status_.dropped_frames(), 5);
+    };
+    if (const std::string why = test::with_small_shared_memory(2, film); !why.empty())
+        GTEST_SKIP() << "skipped: " << why;
 }
 
 TEST_F(Camera, MistakesInItsConfigurationAreNamed) {
