@@ -14,6 +14,7 @@ namespace goalmouth {
 struct BusCounters {
     std::int64_t received = 0;    // messages handed to handlers or refused
     std::int64_t published = 0;   // messages sent
+    std::int64_t oversized = 0;   // of those, more than one datagram carries (LcmBus::publish)
     std::int64_t superseded = 0;  // messages of `newest` subscriptions passed over for a newer one
     std::map<std::string, std::int64_t> rejected;
 
@@ -36,6 +37,8 @@ enum class Delivery {
 class Bus {
   public:
     using Handler = std::function<void(std::span<const std::uint8_t> message)>;
+    using ChannelHandler =
+        std::function<void(const std::string& channel, std::span<const std::uint8_t> message)>;
 
     Bus() = default;
     Bus(const Bus&) = delete;
@@ -43,11 +46,15 @@ class Bus {
     virtual ~Bus() = default;
 
     /// Sends one message. Throws std::runtime_error where the transport refuses it for good (a full disk
-    /// under a log); a message the network loses is lost silently: carry a seq.
+    /// under a log); a message the network loses is lost silently: carry a seq. What cannot arrive because of
+    /// its size is counted as rejected.
     virtual void publish(const std::string& channel, std::span<const std::uint8_t> message) = 0;
 
     /// `channel` is the exact name.
     virtual void subscribe(const std::string& channel, Delivery delivery, Handler handler) = 0;
+
+    /// Every message of every channel, what this bus itself publishes included where it comes back.
+    virtual void subscribe_all(ChannelHandler handler) = 0;
 
     /// Waits up to `timeout` for a message, then delivers all that wait: `every` handlers in order of
     /// arrival, then the `newest` ones. Returns early, without delivering, when a signal interrupts the wait.

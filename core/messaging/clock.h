@@ -4,7 +4,8 @@
 
 namespace goalmouth {
 
-/// Microseconds since 1970-01-01 UTC, now. Only sources of data (capture time) and STATUS (latency) may ask.
+/// Microseconds since 1970-01-01 UTC, now. Only sources of data (capture time), STATUS (latency) and
+/// logs (time of arrival) may ask.
 std::int64_t now_utime();
 
 /// A time in seconds since 1970-01-01 UTC, as parameters give it, in microseconds; 0 stands for now.

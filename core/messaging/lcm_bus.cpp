@@ -16,6 +16,7 @@ namespace {
 
 constexpr int queue_capacity = 1000;  // messages of one subscription; a raw 640×480 frame is about 20 slices
 constexpr int messages_per_dispatch = 1000;
+constexpr const char* self_test_channel = "LCM_SELF_TEST";  // each LCM that starts to listen sends one
 constexpr std::chrono::milliseconds time_per_dispatch{50};
 
 /// LCM starts threads of its own; a signal must interrupt the thread that dispatches, so theirs are started
@@ -56,9 +57,11 @@ std::string as_expression(const std::string& name) {
 }  // namespace
 
 struct LcmBus::Receiver {
-    static void receive(const lcm::ReceiveBuffer* buffer, const std::string&, Subscription* subscription) {
+    static void receive(const lcm::ReceiveBuffer* buffer, const std::string& channel,
+                        Subscription* subscription) {
         LcmBus& bus = *subscription->bus;
         const auto* bytes = static_cast<const std::uint8_t*>(buffer->data);
+        subscription->channel = channel;
         subscription->message.assign(bytes, bytes + buffer->data_size);
         if (subscription->delivery == Delivery::every) {
             ++bus.counters_.received;
@@ -70,7 +73,7 @@ struct LcmBus::Receiver {
     }
 };
 
-LcmBus::LcmBus(const std::string& url) : port_(udp_port(url)) {
+LcmBus::LcmBus(const std::string& url) : port_(udp_port(url)), sizes_(size_limits(url)) {
     const std::string name = url.empty() ? "LCM's default URL" : "LCM URL \"" + url + "\"";
     if (!multicast_works(url)) throw std::runtime_error(name + ": " + multicast_advice());
     const SignalsBlocked blocked;
@@ -83,8 +86,22 @@ LcmBus::LcmBus(const std::string& url) : port_(udp_port(url)) {
 
 LcmBus::~LcmBus() = default;
 
+/// Whether a message is too large to be sent; says once a channel what is wrong with large ones.
+bool LcmBus::size_refused(const std::string& channel, std::size_t bytes) {
+    if (bytes <= sizes_.datagram) return false;
+    if (bytes > sizes_.deliverable) {
+        const auto refusal = refusals_.try_emplace(channel, undeliverable_text(bytes, sizes_)).first;
+        reject(channel, refusal->second);
+        return true;
+    }
+    ++counters_.oversized;
+    if (oversized_.insert(channel).second) spdlog::warn("{}: {}", channel, oversized_text(bytes, sizes_));
+    return false;
+}
+
 void LcmBus::publish(const std::string& channel, std::span<const std::uint8_t> message) {
     check_name(channel);
+    if (size_refused(channel, channel.size() + 1 + message.size())) return;
     const SignalsBlocked blocked;  // the first publish may start LCM's thread
     if (lcm_->publish(channel, message.data(), static_cast<unsigned int>(message.size())) == 0) {
         ++counters_.published;
@@ -96,14 +113,27 @@ void LcmBus::publish(const std::string& channel, std::span<const std::uint8_t> m
 
 void LcmBus::subscribe(const std::string& channel, Delivery delivery, Handler handler) {
     check_name(channel);
+    listen(as_expression(channel), delivery,
+           [handler = std::move(handler)](const std::string&, std::span<const std::uint8_t> message) {
+               handler(message);
+           });
+}
+
+void LcmBus::subscribe_all(ChannelHandler handler) {
+    listen(".*", Delivery::every,
+           [handler = std::move(handler)](const std::string& channel, std::span<const std::uint8_t> message) {
+               if (!channel.empty() && channel != self_test_channel) handler(channel, message);
+           });
+}
+
+void LcmBus::listen(const std::string& expression, Delivery delivery, ChannelHandler handler) {
     const SignalsBlocked blocked;
     Subscription& subscription = subscriptions_.emplace_back();
     subscription.bus = this;
     subscription.delivery = delivery;
     subscription.handler = std::move(handler);
-    lcm::Subscription* made =
-        lcm_->subscribeFunction(as_expression(channel), &Receiver::receive, &subscription);
-    if (made == nullptr) throw std::runtime_error("cannot subscribe to channel " + channel);
+    lcm::Subscription* made = lcm_->subscribeFunction(expression, &Receiver::receive, &subscription);
+    if (made == nullptr) throw std::runtime_error("cannot subscribe to channel " + expression);
     made->setQueueCapacity(queue_capacity);
 }
 
@@ -119,7 +149,8 @@ bool LcmBus::wait(std::chrono::milliseconds timeout) const {
 
 // Handlers run here and not in LCM's callback: an exception must not pass through LCM's C code.
 void LcmBus::deliver_every() {
-    for (Subscription* subscription : arrived_) subscription->handler(subscription->message);
+    for (Subscription* subscription : arrived_)
+        subscription->handler(subscription->channel, subscription->message);
 }
 
 bool LcmBus::deliver_newest() {
@@ -129,7 +160,7 @@ bool LcmBus::deliver_newest() {
         subscription.waits = false;
         delivered = true;
         ++counters_.received;
-        subscription.handler(subscription.message);
+        subscription.handler(subscription.channel, subscription.message);
     }
     return delivered;
 }

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "core/messaging/bus.h"
+#include "core/messaging/message_size.h"
 
 #include <cstddef>
 #include <deque>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,8 +29,13 @@ class LcmBus : public Bus {
     explicit LcmBus(const std::string& url = "");
     ~LcmBus() override;
 
+    /// By UDP, a message larger than a datagram goes in fragments, which are lost together: that is said once
+    /// for each channel, and counted. One that no receiver can hold is not sent, but counted as rejected.
+    /// Both sentences say what to do; message_size.h has the limits.
     void publish(const std::string& channel, std::span<const std::uint8_t> message) override;
     void subscribe(const std::string& channel, Delivery delivery, Handler handler) override;
+    /// Without LCM's own messages to itself.
+    void subscribe_all(ChannelHandler handler) override;
     bool dispatch(std::chrono::milliseconds timeout) override;
     /// Of the UDP sockets of this machine on the URL's port; 0 for other providers.
     double congestion() const override;
@@ -36,7 +44,8 @@ class LcmBus : public Bus {
     struct Subscription {
         LcmBus* bus = nullptr;
         Delivery delivery = Delivery::every;
-        Handler handler;
+        ChannelHandler handler;
+        std::string channel;                // that `message` came on
         bool waits = false;                 // newest: `message` is to be delivered
         std::vector<std::uint8_t> message;  // newest: the last one; every: the one being delivered
     };
@@ -45,12 +54,17 @@ class LcmBus : public Bus {
     bool wait(std::chrono::milliseconds timeout) const;
     void deliver_every();
     bool deliver_newest();
+    void listen(const std::string& expression, Delivery delivery, ChannelHandler handler);
+    bool size_refused(const std::string& channel, std::size_t bytes);
 
     int port_;  // UDP, 0 for other providers
+    SizeLimits sizes_;
     std::unique_ptr<lcm::LCM> lcm_;
     std::deque<Subscription> subscriptions_;  // LCM keeps pointers to its elements
     std::vector<Subscription*> arrived_;      // `every` subscriptions that the message just handled is for
     bool failure_logged_ = false;
+    std::set<std::string> oversized_;              // channels of which that was said
+    std::map<std::string, std::string> refusals_;  // channel → words for reject()
 };
 
 }  // namespace goalmouth

@@ -26,6 +26,10 @@ void LogBus::subscribe(const std::string& channel, Delivery, Handler handler) {
     handlers_[channel].push_back(std::move(handler));
 }
 
+void LogBus::subscribe_all(ChannelHandler handler) {
+    handlers_of_all_.push_back(std::move(handler));
+}
+
 bool LogBus::dispatch(std::chrono::milliseconds) {
     while (!finished_) {
         const auto event = reader_->next();
@@ -34,8 +38,13 @@ bool LogBus::dispatch(std::chrono::milliseconds) {
             break;
         }
         const auto found = handlers_.find(event->channel);
-        if (found == handlers_.end()) continue;
+        if (found == handlers_.end() && handlers_of_all_.empty()) continue;
         utime_ = event->utime;
+        for (const ChannelHandler& handler : handlers_of_all_) {
+            ++counters_.received;
+            handler(event->channel, event->data);
+        }
+        if (found == handlers_.end()) return true;
         for (const Handler& handler : found->second) {
             ++counters_.received;
             handler(event->data);

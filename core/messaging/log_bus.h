@@ -28,6 +28,7 @@ class LogBus : public Bus {
     /// Appends an event. Throws std::runtime_error where the disk is full.
     void publish(const std::string& channel, std::span<const std::uint8_t> message) override;
     void subscribe(const std::string& channel, Delivery delivery, Handler handler) override;
+    void subscribe_all(ChannelHandler handler) override;
     /// Delivers the next event that somebody subscribed to, skipping others; never waits. False at the end of
     /// the log.
     bool dispatch(std::chrono::milliseconds timeout) override;
@@ -47,6 +48,7 @@ class LogBus : public Bus {
     std::optional<LogReader> reader_;
     std::optional<LogWriter> writer_;
     std::map<std::string, std::vector<Handler>> handlers_;
+    std::vector<ChannelHandler> handlers_of_all_;
     std::int64_t utime_ = 0;
     bool finished_ = true;
 };

@@ -43,7 +43,18 @@ void MemoryBus::publish(const std::string& channel, std::span<const std::uint8_t
 }
 
 void MemoryBus::subscribe(const std::string& channel, Delivery delivery, Handler handler) {
-    subscriptions_.push_back({channel, delivery, std::move(handler), false, {}});
+    subscriptions_.push_back(
+        {channel,
+         delivery,
+         [handler = std::move(handler)](const std::string&, std::span<const std::uint8_t> message) {
+             handler(message);
+         },
+         false,
+         {}});
+}
+
+void MemoryBus::subscribe_all(ChannelHandler handler) {
+    subscriptions_.push_back({"", Delivery::every, std::move(handler), false, {}});
 }
 
 bool MemoryBus::dispatch(std::chrono::milliseconds) {
@@ -53,7 +64,7 @@ bool MemoryBus::dispatch(std::chrono::milliseconds) {
 bool MemoryBus::deliver(const MemoryHub::Message& message) {
     bool delivered = false;
     for (Subscription& subscription : subscriptions_) {
-        if (subscription.channel != message.channel) continue;
+        if (!subscription.channel.empty() && subscription.channel != message.channel) continue;
         if (subscription.delivery == Delivery::newest) {
             if (subscription.waits) ++counters_.superseded;
             subscription.newest = message.bytes;
@@ -61,7 +72,7 @@ bool MemoryBus::deliver(const MemoryHub::Message& message) {
             continue;
         }
         delivered = true;
-        call(subscription.handler, message.bytes);
+        call(subscription, message.channel, message.bytes);
     }
     return delivered;
 }
@@ -71,16 +82,17 @@ bool MemoryBus::deliver_newest() {
     for (Subscription& subscription : subscriptions_) {
         if (!subscription.waits) continue;
         subscription.waits = false;
-        call(subscription.handler, subscription.newest);
+        call(subscription, subscription.channel, subscription.newest);
         return true;
     }
     return false;
 }
 
-void MemoryBus::call(const Handler& handler, std::span<const std::uint8_t> bytes) {
+void MemoryBus::call(const Subscription& subscription, const std::string& channel,
+                     std::span<const std::uint8_t> bytes) {
     ++counters_.received;
     const auto start = std::chrono::steady_clock::now();
-    handler(bytes);
+    subscription.handler(channel, bytes);
     time_spent_ += std::chrono::steady_clock::now() - start;
 }
 

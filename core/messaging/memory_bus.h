@@ -49,6 +49,7 @@ class MemoryBus : public Bus {
   public:
     void publish(const std::string& channel, std::span<const std::uint8_t> message) override;
     void subscribe(const std::string& channel, Delivery delivery, Handler handler) override;
+    void subscribe_all(ChannelHandler handler) override;
     /// Delivers what waits on the whole hub; never waits itself.
     bool dispatch(std::chrono::milliseconds timeout) override;
 
@@ -59,9 +60,9 @@ class MemoryBus : public Bus {
   private:
     friend class MemoryHub;
     struct Subscription {
-        std::string channel;
+        std::string channel;  // "" = each
         Delivery delivery = Delivery::every;
-        Handler handler;
+        ChannelHandler handler;
         bool waits = false;
         std::vector<std::uint8_t> newest;
     };
@@ -69,7 +70,8 @@ class MemoryBus : public Bus {
     MemoryBus(MemoryHub& hub, std::string name) : hub_(hub), name_(std::move(name)) {}
     bool deliver(const MemoryHub::Message& message);
     bool deliver_newest();
-    void call(const Handler& handler, std::span<const std::uint8_t> bytes);
+    void call(const Subscription& subscription, const std::string& channel,
+              std::span<const std::uint8_t> bytes);
 
     MemoryHub& hub_;
     std::string name_;

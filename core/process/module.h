@@ -6,7 +6,9 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,10 @@ struct ModuleContext {
     std::string name;                             // in the graph, e.g. "detection"
     std::uint64_t seed = 0;                       // of the graph
     std::map<std::string, std::string> channels;  // default name → name in this graph, where they differ
+    std::string lcm_url{};                        // where `bus` talks; "" = LCM's default
+    /// Opens a further bus, for a module that also talks elsewhere; throws as LcmBus does. Empty where
+    /// modules share one process: there is no elsewhere.
+    std::function<std::shared_ptr<Bus>(const std::string& lcm_url)> open_bus{};
 
     /// The name of a channel in this graph.
     std::string channel(const std::string& default_name) const {
@@ -49,9 +55,13 @@ struct ModuleContext {
 /// A stage of the graph as a process runs it: subscribes in its constructor, converts, calls core, publishes.
 ///
 /// A module type M has, besides deriving from this class:
-///     struct Parameters {…};                     with describe_parameters beside it
-///     (core/parameters/parameters.h) static ModuleInfo info(); M(ModuleContext& context, const Parameters&
-///     parameters);   throws ConfigurationError; the context outlives the module
+///
+///     struct Parameters {…};
+///     static ModuleInfo info();
+///     M(ModuleContext& context, const Parameters& parameters);
+///
+/// The parameters describe themselves (core/parameters/parameters.h). The constructor throws
+/// ConfigurationError; the context outlives the module.
 class Module {
   public:
     Module() = default;

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <csignal>
 #include <iostream>
+#include <sys/prctl.h>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <goalmouth/status_t.hpp>
@@ -22,6 +24,7 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 constexpr auto status_interval = std::chrono::seconds(1);
+constexpr unsigned long finest_timer_ns = 1;  // the kernel lets a sleep last 50 µs longer where nobody asks
 
 volatile std::sig_atomic_t stop_asked = 0;
 
@@ -116,13 +119,30 @@ std::map<std::string, std::string> channels_of(const ModuleType& type, const Com
     return renamed;
 }
 
+/// Waits for messages until `wake` at the latest. The bus waits in whole milliseconds; where `exact`, what is
+/// left of the last one is slept, so that a source is not late by it.
+void wait_for_messages(Bus& bus, Clock::time_point wake, bool exact) {
+    const auto left = std::max(Clock::duration::zero(), wake - Clock::now());
+    if (stop_asked) return;
+    if (!exact) {
+        bus.dispatch(std::chrono::ceil<milliseconds>(left));
+    } else if (!bus.dispatch(std::chrono::floor<milliseconds>(left)) && !stop_asked) {
+        const auto rest = wake - Clock::now();
+        if (rest < milliseconds(1)) std::this_thread::sleep_for(rest);
+    }
+}
+
 void run(const ModuleType& type, const CommandLine& line) {
     const Configuration configuration = configuration_of(type, line);
     const auto renamed = channels_of(type, line);
 
+    ::prctl(PR_SET_TIMERSLACK, finest_timer_ns);  // LCM's threads take it over
     LcmBus bus(line.lcm_url);
     Status status;
-    ModuleContext context{bus, status, line.name, line.seed, renamed};
+    ModuleContext context{
+        bus, status, line.name, line.seed, renamed, line.lcm_url, [](const std::string& url) {
+            return std::make_shared<LcmBus>(url);
+        }};
     const auto module = type.create(context, configuration);
     const std::string status_channel = context.channel(channels::status);
     const auto report = [&](std::int8_t state) {
@@ -134,8 +154,7 @@ void run(const ModuleType& type, const CommandLine& line) {
     while (!stop_asked && !module->finished()) {
         const auto due = Clock::now() + module->tick();
         const auto wake = std::min({due, next_report, Clock::now() + Clock::duration(milliseconds(100))});
-        const auto wait = std::max(Clock::duration::zero(), wake - Clock::now());
-        if (!stop_asked) bus.dispatch(std::chrono::ceil<milliseconds>(wait));
+        wait_for_messages(bus, wake, wake == due);
         if (Clock::now() >= next_report) {
             report(status_t::RUNNING);
             next_report = std::max(next_report + status_interval, Clock::now());

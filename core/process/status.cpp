@@ -71,6 +71,12 @@ void Status::report(Bus& bus, const std::string& channel, const std::string& pro
         counter.value = value;
         m.counters.push_back(counter);
     }
+    if (traffic.oversized > 0) {
+        counter_t counter{};
+        counter.name = "oversized";
+        counter.value = static_cast<double>(traffic.oversized);
+        m.counters.push_back(counter);
+    }
     m.num_counters = static_cast<std::int32_t>(m.counters.size());
 
     latencies_.clear();

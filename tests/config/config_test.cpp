@@ -139,6 +139,7 @@ TEST(ShippedConfig, EveryKeyIsCheckedWhenWrong) {
             struct NoBus : Bus {
                 void publish(const std::string&, std::span<const std::uint8_t>) override {}
                 void subscribe(const std::string&, Delivery, Handler) override {}
+                void subscribe_all(ChannelHandler) override {}
                 bool dispatch(std::chrono::milliseconds) override { return false; }
             } bus;
             ModuleContext context{bus, status, "test", 1, {}};

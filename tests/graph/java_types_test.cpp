@@ -1,5 +1,6 @@
-// What lcm-spy sees: each channel of the running graph, decoded by the Java types.
+// What lcm-spy sees on the tap's port: each channel of the running graph, decoded by the Java types.
 
+#include "core/messaging/tap_url.h"
 #include "tests/graph/processes.h"
 #include "tests/graph/running_graph.h"
 
@@ -28,8 +29,9 @@ TEST_P(JavaTypes, DecodeEveryChannel) {
         }
     }
     ASSERT_GE(command.size(), 12U);
-    ::setenv("LCM_DEFAULT_URL", "udpm://239.255.76.67:7667?ttl=0", 1);
+    ::setenv("LCM_DEFAULT_URL", tap_url(default_lcm_url).c_str(), 1);
     test::Running java(command, test::new_mark());
+    ::unsetenv("LCM_DEFAULT_URL");
     int code = -1;
     graph.until([&] { return (code = java.wait(std::chrono::seconds(0))) >= 0; }, std::chrono::seconds(90));
     EXPECT_EQ(code, 0) << java.output() << graph.story();

@@ -1,5 +1,6 @@
 #include "tests/graph/running_graph.h"
 
+#include "core/messaging/tap_url.h"
 #include "core/messaging/typed.h"
 #include "tests/graph/processes.h"
 
@@ -7,26 +8,30 @@
 
 namespace goalmouth::test {
 
-RunningGraph::RunningGraph(const std::string& file, GraphOptions options) {
+RunningGraph::RunningGraph(const std::string& file, GraphOptions options, const std::string& lcm_url) {
     const Graph graph = load_graph(file, options);
     LauncherOptions launcher_options;
-    launcher_options.lcm_url = lcm_url_of(graph);
+    launcher_options.lcm_url = lcm_url_of(graph, lcm_url);
     launcher_options.first_backoff = 0.1;
     launcher_ = std::make_unique<Launcher>(graph, launcher_options);
     bus_ = std::make_unique<LcmBus>(launcher_options.lcm_url);
-    std::set<std::string> channels;
     for (const auto& process : graph.processes) {
-        for (const auto& use : process.description.info.publishes)
-            channels.insert(process.channel(use.channel));
+        const bool tap = process.description.info.executable == "tap";
+        if (tap) tap_bus_ = std::make_unique<LcmBus>(tap_url(launcher_options.lcm_url));
+        listen(tap ? *tap_bus_ : *bus_, process);
     }
-    for (const auto& channel : channels) {
-        bus_->subscribe(channel, Delivery::every, [this, channel](std::span<const std::uint8_t> bytes) {
+    launcher_->start();
+}
+
+void RunningGraph::listen(LcmBus& bus, const GraphProcess& process) {
+    for (const auto& use : process.description.info.publishes) {
+        const std::string channel = process.channel(use.channel);
+        bus.subscribe(channel, Delivery::every, [this, channel](std::span<const std::uint8_t> bytes) {
             ++counts_[channel];
             if (channel == "POSTS") static_cast<void>(decode(bytes, posts_));
             if (channel == "POSE") static_cast<void>(decode(bytes, pose_));
         });
     }
-    launcher_->start();
 }
 
 void RunningGraph::step() {
@@ -37,6 +42,7 @@ void RunningGraph::step() {
     }
     for (const auto& process : launcher_->processes()) pids_.insert(process.pid);
     bus_->dispatch(std::chrono::milliseconds(10));
+    if (tap_bus_) tap_bus_->dispatch(std::chrono::milliseconds(0));
 }
 
 bool RunningGraph::until(const std::function<bool()>& holds, std::chrono::seconds limit) {

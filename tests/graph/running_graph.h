@@ -17,7 +17,9 @@ namespace goalmouth::test {
 /// A graph with its launcher, and somebody who listens to what comes out.
 class RunningGraph {
   public:
-    explicit RunningGraph(const std::string& graph, GraphOptions options = {});
+    /// On `lcm_url` where one is given, else on the graph's own.
+    explicit RunningGraph(const std::string& graph, GraphOptions options = {},
+                          const std::string& lcm_url = {});
 
     /// Lets things happen for a moment.
     void step();
@@ -27,6 +29,9 @@ class RunningGraph {
     bool until_more(const std::string& channel, int count);
 
     Launcher& launcher() { return *launcher_; }
+    /// To listen to more: before the first step.
+    LcmBus& bus() { return *bus_; }
+    LcmBus& tap_bus() { return *tap_bus_; }
     ProcessReport process(const std::string& name) const;
     int messages(const std::string& channel) const;
     const posts_t& posts() const { return posts_; }
@@ -37,10 +42,12 @@ class RunningGraph {
     const std::string& story() const { return story_; }
 
   private:
+    void listen(LcmBus& bus, const GraphProcess& process);
     bool any_failed() const;
 
     std::unique_ptr<Launcher> launcher_;
     std::unique_ptr<LcmBus> bus_;
+    std::unique_ptr<LcmBus> tap_bus_;  // for what a tap publishes on its own port
     std::map<std::string, int> counts_;
     posts_t posts_{};
     pose_t pose_{};

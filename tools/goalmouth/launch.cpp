@@ -77,9 +77,10 @@ void add_launch_verb(CLI::App& app, Action& action) {
         ->type_name("PROCESS.KEY=VALUE")
         ->expected(1)
         ->take_all();
-    verb->add_option(
-            "--tap", options->tap,
-            "whole pictures for logs and viewers: raw (every frame, exact), jpeg, or off [as the graph says]")
+    verb->add_option("--tap", options->tap,
+                     "whole pictures for logs and viewers, on the graph's port + 1000: raw (every frame, "
+                     "exact), jpeg, "
+                     "or off [as the graph says]")
         ->check(CLI::IsMember({"raw", "jpeg", "off"}));
     verb->add_option("--lcm-url", options->lcm_url,
                      "where the graph talks [the graph's lcm_url, or $LCM_DEFAULT_URL]")

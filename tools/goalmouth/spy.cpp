@@ -1,3 +1,4 @@
+#include "core/messaging/tap_url.h"
 #include "core/process/graph.h"
 #include "core/process/paths.h"
 #include "tools/goalmouth/verbs.h"
@@ -57,15 +58,24 @@ int spy(const std::string& lcm_url, const std::vector<std::string>& further) {
 
 void add_spy_verb(CLI::App& app, Action& action) {
     auto url = std::make_shared<std::string>();
+    auto tap = std::make_shared<bool>(false);
     auto further = std::make_shared<std::vector<std::string>>();
     CLI::App* verb =
         app.add_subcommand("spy", "watch every channel in lcm-spy, with goalmouth's message types");
     verb->add_option("--lcm-url", *url,
                      "where the graph talks [$LCM_DEFAULT_URL, or " + std::string(default_lcm_url) + "]")
         ->type_name("URL");
+    verb->add_flag("--tap", *tap,
+                   "watch the port of the graph's tap instead, 1000 above the graph's: whole pictures, and "
+                   "the graph's messages beside them");
     verb->add_option("arguments", *further, "further arguments for lcm-spy");
-    verb->callback([url, further, &action] {
-        action = [url, further] { return spy(lcm_url_of(Graph{}, *url), *further); };
+    verb->footer(
+        "A tap that has a `url` of its own in the graph file is watched by --lcm-url with that URL.");
+    verb->callback([url, tap, further, &action] {
+        action = [url, tap, further] {
+            const std::string graph = lcm_url_of(Graph{}, *url);
+            return spy(*tap ? tap_url(graph) : graph, *further);
+        };
     });
 }
 

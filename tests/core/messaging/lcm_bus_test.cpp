@@ -135,6 +135,26 @@ TEST(LcmBus, AnExceptionInAHandlerLeavesDispatchAndTheBusGoesOn) {
     EXPECT_TRUE(dispatch_until(receiver, [&] { return heard == 2; }));
 }
 
+TEST(LcmBus, WhoHearsAllHearsEachChannelInItsOrder) {
+    GOALMOUTH_NEEDS_PRIVATE_NETWORK();
+    LcmBus receiver;
+    LcmBus sender;
+    using Heard = std::vector<std::pair<std::string, std::uint8_t>>;
+    Heard heard;
+    Heard on_one;
+    receiver.subscribe_all(
+        [&](const std::string& channel, auto bytes) { heard.emplace_back(channel, bytes[0]); });
+    receiver.subscribe("A", Delivery::every, [&](auto bytes) { on_one.emplace_back("A", bytes[0]); });
+    Heard sent;
+    for (std::uint8_t i = 0; i < 100; ++i) {
+        sent.emplace_back(i % 3 == 0 ? "A" : "B.*", i);
+        sender.publish(sent.back().first, std::vector<std::uint8_t>{i});
+    }
+    EXPECT_TRUE(dispatch_until(receiver, [&] { return heard.size() >= 100; }));
+    EXPECT_EQ(heard, sent);
+    EXPECT_EQ(on_one.size(), 34U);
+}
+
 /// Sends whatever bytes to LCM's default group and port.
 class RawSender {
   public:

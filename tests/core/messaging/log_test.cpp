@@ -256,5 +256,21 @@ TEST(Log, OneLogInAnotherLogOutKeepsTheTimesOfTheInput) {
     EXPECT_THROW(LogBus({folder.path() / "in", folder.path() / "in"}), std::runtime_error);
 }
 
+TEST(Log, WhoHearsAllHearsEachEventOfALog) {
+    const TemporaryFolder folder;
+    make_log(folder.path() / "in", 4);
+    LogBus bus({folder.path() / "in", {}});
+    std::vector<std::vector<std::uint8_t>> heard;
+    int odometry = 0;
+    bus.subscribe_all(
+        [&](const std::string&, auto bytes) { heard.emplace_back(bytes.begin(), bytes.end()); });
+    bus.subscribe("ODOMETRY", Delivery::every, [&](auto) { ++odometry; });
+    while (!bus.finished()) bus.dispatch(0ms);
+    const auto events = read_log(folder.path() / "in");
+    ASSERT_EQ(heard.size(), events.size());
+    for (std::size_t i = 0; i < heard.size(); ++i) EXPECT_EQ(heard[i], events[i].data);
+    EXPECT_EQ(odometry, 4);
+}
+
 }  // namespace
 }  // namespace goalmouth

@@ -1,0 +1,88 @@
+#include "core/messaging/tap_log.h"
+
+#include "core/messaging/image_output.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <spdlog/spdlog.h>
+
+namespace goalmouth {
+namespace {
+
+using std::chrono::microseconds;
+
+SlicePacer::Time time_of(std::int64_t utime) {
+    return SlicePacer::Time(microseconds(utime));
+}
+
+template <class Message>
+std::vector<std::uint8_t> encoded(const Message& message) {
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
+    message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+    return bytes;
+}
+
+std::filesystem::path unused(const std::filesystem::path& wanted) {
+    std::filesystem::path name = wanted;
+    for (int number = 2; std::filesystem::exists(name); ++number)
+        name = wanted.string() + "." + std::to_string(number);
+    return name;
+}
+
+}  // namespace
+
+TapLog::TapLog(const std::filesystem::path& wanted, int slice_bytes, std::string image_channel,
+               std::string slices_channel)
+    : file_(unused(wanted)),
+      writer_(file_),
+      pacer_(slice_bytes),
+      image_channel_(std::move(image_channel)),
+      slices_channel_(std::move(slices_channel)) {}
+
+void TapLog::append(const std::string& channel, std::span<const std::uint8_t> message, std::int64_t utime) {
+    try {
+        writer_.write(channel, utime, message);
+    } catch (const std::runtime_error& error) {
+        if (not_written_++ == 0)
+            spdlog::error(
+                "{}: what comes now is missing in it until there is room; what it holds stays readable",
+                error.what());
+    }
+}
+
+void TapLog::write(const std::string& channel, std::span<const std::uint8_t> message, std::int64_t now) {
+    catch_up(now);
+    append(channel, message, now);
+}
+
+void TapLog::write(const image_t& self_contained, std::int64_t now) {
+    catch_up(now);
+    if (static_cast<std::size_t>(self_contained.getEncodedSize()) <= datagram_bytes) {
+        append(image_channel_, encoded(self_contained), now);
+    } else {
+        pacer_.offer(self_contained, time_of(now));
+    }
+}
+
+void TapLog::catch_up(std::int64_t now) {
+    for (;;) {
+        const auto wait = pacer_.next_due(time_of(written_until_));
+        if (!wait || wait->count() > now - written_until_) break;
+        written_until_ += wait->count();
+        const auto slice = pacer_.due(time_of(written_until_));
+        if (slice) append(slices_channel_, encoded(*slice), written_until_);
+    }
+    written_until_ = std::max(written_until_, now);
+}
+
+void TapLog::finish() {
+    while (const auto wait = pacer_.next_due(time_of(written_until_)))
+        catch_up(written_until_ + wait->count());
+}
+
+}  // namespace goalmouth
