@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
     goalmouth::add_graph_verb(app, action);
     goalmouth::add_detect_verb(app, action);
     goalmouth::add_evaluate_verb(app, action);
+    goalmouth::add_bench_verb(app, action);
     goalmouth::add_colours_verb(app, action);
     goalmouth::add_spy_verb(app, action);
     goalmouth::add_completion_verb(app, action);

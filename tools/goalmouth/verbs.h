@@ -11,6 +11,7 @@ namespace goalmouth {
 using Action = std::function<int()>;
 
 // Each adds its subcommand with options and, where that subcommand was given, sets `action`.
+void add_bench_verb(CLI::App& app, Action& action);
 void add_colours_verb(CLI::App& app, Action& action);
 void add_detect_verb(CLI::App& app, Action& action);
 void add_graph_verb(CLI::App& app, Action& action);

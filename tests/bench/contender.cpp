@@ -1,0 +1,50 @@
+#include "tests/bench/contender.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numeric>
+#include <utility>
+
+namespace goalmouth::bench {
+namespace {
+
+double now_ms(Clock clock) {
+    timespec now{};
+    ::clock_gettime(clock == Clock::wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+/// Between the two nearest of sorted values.
+double quantile(const std::vector<double>& sorted, double share) {
+    const double place = share * static_cast<double>(sorted.size() - 1);
+    const auto low = static_cast<std::size_t>(place);
+    const std::size_t high = std::min(low + 1, sorted.size() - 1);
+    return std::lerp(sorted[low], sorted[high], place - static_cast<double>(low));
+}
+
+}  // namespace
+
+Timing timing_of(std::string name, std::string label, std::vector<double> ms) {
+    std::sort(ms.begin(), ms.end());
+    Timing timing;
+    timing.name = std::move(name);
+    timing.label = std::move(label);
+    timing.count = ms.size();
+    timing.median = quantile(ms, 0.5);
+    timing.p25 = quantile(ms, 0.25);
+    timing.p75 = quantile(ms, 0.75);
+    timing.p95 = quantile(ms, 0.95);
+    timing.least = ms.front();
+    timing.mean = std::accumulate(ms.begin(), ms.end(), 0.0) / static_cast<double>(ms.size());
+    return timing;
+}
+
+Stopwatch::Stopwatch(Clock clock) : clock_(clock), last_(now_ms(clock)) {}
+
+double Stopwatch::lap() {
+    const double now = now_ms(clock_);
+    return now - std::exchange(last_, now);
+}
+
+}  // namespace goalmouth::bench

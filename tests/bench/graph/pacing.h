@@ -1,0 +1,39 @@
+#pragma once
+
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <thread>
+
+namespace goalmouth::bench {
+
+/// Threads made while it lives leave signals to the thread that waits for them.
+class SignalsBlocked {
+  public:
+    SignalsBlocked();
+    ~SignalsBlocked();
+    SignalsBlocked(const SignalsBlocked&) = delete;
+    SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+
+  private:
+    sigset_t before_{};
+};
+
+using Clock = std::chrono::steady_clock;
+
+/// Sleeps until then, to the fraction of a millisecond.
+void sleep_until(Clock::time_point when);
+
+/// Sleeps until the clock of utime says `utime` [µs].
+void sleep_until_utime(std::int64_t utime);
+
+/// CPU time of a thread of this process, of the calling thread, and of another process; [s], 0 where it is
+/// gone.
+double thread_cpu_seconds(std::thread& thread);
+double own_cpu_seconds();
+double process_cpu_seconds(pid_t pid);
+
+/// Memory of a process [MiB], of what it shares with others its share; 0 where it is gone.
+double process_memory(pid_t pid);
+
+}  // namespace goalmouth::bench

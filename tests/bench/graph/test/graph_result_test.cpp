@@ -1,0 +1,85 @@
+#include "tests/bench/graph_bench.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace goalmouth::bench {
+namespace {
+
+WayResult way(const std::string& key, double posts_us, std::int64_t lost) {
+    WayResult result;
+    result.key = result.title = key;
+    result.seconds = 10.0;
+    result.frames = 300;
+    result.lost = lost;
+    StageResult posts;
+    posts.channel = "POSTS";
+    posts.heard = posts.sent = Latency(std::vector<double>(static_cast<std::size_t>(300 - lost), posts_us));
+    posts.lost = lost;
+    result.stages.push_back(posts);
+    ProcessResult camera;
+    camera.name = "camera";
+    camera.cpu = 0.25;
+    result.processes.assign(2, camera);
+    return result;
+}
+
+GraphBenchResult result_of(std::int64_t lost, double copies) {
+    GraphBenchResult result;
+    result.complete = true;
+    result.width = 1600;
+    result.height = 1200;
+    result.frames_per_second = 30.0;
+    result.ways = {way("graph", 3000.0, lost), way("one_process", 2000.0, 0)};
+    result.ways[0].copies = copies;
+    return result;
+}
+
+TEST(GraphBenchResult, AnswersTheRowsOfTheTable) {
+    const auto rows = result_of(0, 0.0).ratios();
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[0].other_ms, 300.0);
+    EXPECT_EQ(rows[0].ours_ms, 0.0);
+    EXPECT_TRUE(rows[0].met());
+    EXPECT_DOUBLE_EQ(rows[1].ours_ms, 3.0);
+    EXPECT_DOUBLE_EQ(rows[1].ratio, 1.5);
+    EXPECT_TRUE(rows[1].stretch_met());
+    EXPECT_TRUE(rows[2].stretch_met());
+}
+
+TEST(GraphBenchResult, OneLostFrameMissesTheBar) {
+    const auto rows = result_of(1, 2.0).ratios();
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_FALSE(rows[0].met());
+    EXPECT_DOUBLE_EQ(rows[0].ratio, 1.0 / 300.0);
+    EXPECT_FALSE(rows[2].met());
+}
+
+TEST(GraphBenchResult, LeavesOutRowsThatWereNotMeasured) {
+    GraphBenchResult result = result_of(0, -1.0);
+    result.ways.resize(1);
+    EXPECT_EQ(result.ratios().size(), 1U);
+    result.ways.clear();
+    EXPECT_TRUE(result.ratios().empty());
+    std::ostringstream out;
+    result.print(out);
+    EXPECT_THAT(out.str(), testing::HasSubstr("1600x1200"));
+}
+
+TEST(GraphBenchResult, JsonAndTableHoldEveryWay) {
+    const GraphBenchResult result = result_of(3, 0.0);
+    const auto json = result.to_json();
+    ASSERT_EQ(json["ways"].size(), 2U);
+    EXPECT_EQ(json["ways"][0]["lost"], 3);
+    EXPECT_DOUBLE_EQ(json["ways"][0]["cpu"], 0.5);
+    EXPECT_EQ(json["ways"][1]["stages"][0]["heard_us"]["percentiles"].size(), 101U);
+    std::ostringstream out;
+    result.print(out);
+    for (const char* text : {"graph", "one_process", "camera 25.0 %", "POSTS"})
+        EXPECT_THAT(out.str(), testing::HasSubstr(text));
+}
+
+}  // namespace
+}  // namespace goalmouth::bench
