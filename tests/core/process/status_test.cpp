@@ -73,5 +73,25 @@ TEST_F(StatusReport, ForgetsTheLatenciesItReported) {
     EXPECT_EQ(report().latency_p50, -1.0);
 }
 
+TEST(StatusOfABus, SaysHowManyMessagesWereLargerThanADatagram) {
+    struct CountingBus : Bus {
+        CountingBus() { counters_.oversized = 3; }
+        void publish(const std::string&, std::span<const std::uint8_t> bytes) override {
+            sent.assign(bytes.begin(), bytes.end());
+        }
+        void subscribe(const std::string&, Delivery, Handler) override {}
+        void subscribe_all(ChannelHandler) override {}
+        bool dispatch(std::chrono::milliseconds) override { return false; }
+        std::vector<std::uint8_t> sent;
+    } bus;
+    Status status;
+    status.report(bus, "STATUS", "eyes", "camera", status_t::RUNNING);
+    status_t m{};
+    ASSERT_FALSE(decode(bus.sent, m));
+    ASSERT_EQ(m.num_counters, 1);
+    EXPECT_EQ(m.counters[0].name, "oversized");
+    EXPECT_EQ(m.counters[0].value, 3.0);
+}
+
 }  // namespace
 }  // namespace goalmouth
