@@ -1,24 +1,12 @@
 #include "core/detection/edge_lines.h"
 
-#include "core/detection/line_search.h"
-
 #include <cmath>
 
 namespace goalmouth {
 
 EdgeLine edge_line(const Line& line, std::span<const Eigen::Vector2d> consensus) {
-    double squares = 0.0;
-    for (const auto& p : consensus) {
-        const double distance = line.signed_distance(p);
-        squares += distance * distance;
-    }
-    const double count = static_cast<double>(consensus.size());
-    return {segment_on_line(line, consensus), static_cast<int>(consensus.size()), std::sqrt(squares / count)};
-}
-
-std::vector<EdgeLine> find_lines(const std::vector<Eigen::Vector2d>& points,
-                                 const RansacParameters& parameters, Random& random) {
-    return LineSearch(parameters).find(points, random);
+    return {segment_on_line(line, consensus), static_cast<int>(consensus.size()),
+            std::sqrt(mean_square_distance(line, consensus))};
 }
 
 }  // namespace goalmouth

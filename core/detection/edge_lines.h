@@ -1,11 +1,8 @@
 #pragma once
 
-#include "core/detection/ransac_parameters.h"
 #include "core/geometry/line.h"
-#include "core/random/random.h"
 
 #include <span>
-#include <vector>
 
 #include <Eigen/Core>
 
@@ -20,10 +17,5 @@ struct EdgeLine {
 
 /// Requires a point.
 EdgeLine edge_line(const Line& line, std::span<const Eigen::Vector2d> consensus);
-
-/// Up to M_max lines among edge points; each is the best supported one found among the points the former
-/// left. A LineSearch (line_search.h) used once.
-std::vector<EdgeLine> find_lines(const std::vector<Eigen::Vector2d>& points,
-                                 const RansacParameters& parameters, Random& random);
 
 }  // namespace goalmouth

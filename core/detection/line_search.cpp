@@ -128,4 +128,9 @@ void LineSearch::take(const Line& line) {
     count_ -= take_inliers(points_.data(), count_, line, parameters_.inlier_distance, consensus_.data());
 }
 
+std::vector<EdgeLine> find_lines(const std::vector<Eigen::Vector2d>& points,
+                                 const RansacParameters& parameters, Random& random) {
+    return LineSearch(parameters).find(points, random);
+}
+
 }  // namespace goalmouth

@@ -19,9 +19,8 @@ namespace goalmouth {
 /// Algorithm 2 of the paper for lines, fast: the same consensus sets, lines and draws, bit for bit, as
 /// find_primitives() gives, which says what they are (primitive_ransac.h).
 ///
-///   * The hypotheses lie in a structure of arrays, one in each vector lane: a load of a point serves many,
-///   and
-///     counts need no sums across lanes. The points that a model leaves are moved together in place.
+///   * The hypotheses lie in a structure of arrays, one in each vector lane: a load of a point serves
+///     many, and counts need no sums across lanes. The points that a model leaves are moved together.
 ///   * They are counted in single precision with a distance larger by all that rounding can do, which bounds
 ///     the support from above. Only a hypothesis whose bound beats the best one's support is counted again in
 ///     double precision as Line::distance() does it; mostly that is one of all.
@@ -61,5 +60,10 @@ class LineSearch {
     std::array<std::uint32_t, LineSamples::most> first_{}, second_{};
     alignas(64) std::array<std::uint32_t, LineSamples::most> support_{};
 };
+
+/// Up to M_max lines among edge points; each is the best supported one found among the points the former
+/// left. A LineSearch used once.
+std::vector<EdgeLine> find_lines(const std::vector<Eigen::Vector2d>& points,
+                                 const RansacParameters& parameters, Random& random);
 
 }  // namespace goalmouth

@@ -1,7 +1,5 @@
 #include "core/extraction/regions.h"
 
-#include "core/extraction/extraction.h"
-
 #include <algorithm>
 #include <numeric>
 

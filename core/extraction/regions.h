@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/extraction/border.h"
+#include "core/extraction/candidate_parameters.h"
 #include "core/extraction/runs.h"
 
 #include <cstddef>
@@ -8,8 +9,6 @@
 #include <vector>
 
 namespace goalmouth {
-
-struct CandidateParameters;
 
 /// Groups runs of rows that lie one above the other into regions, and judges these.
 class RunRegions {

@@ -1,7 +1,5 @@
 #include "core/extraction/runs.h"
 
-#include "core/extraction/extraction.h"
-
 namespace goalmouth {
 namespace {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/extraction/candidate_parameters.h"
 #include "core/extraction/candidates.h"
 #include "core/segmentation/segments.h"
 
@@ -7,8 +8,6 @@
 #include <vector>
 
 namespace goalmouth {
-
-struct CandidateParameters;
 
 /// Segments of the post's colour on one scan-line with the small gaps between them bridged.
 struct Run {

@@ -1,5 +1,6 @@
 #include "core/imaging/capture_buffer.h"
 
+#include "core/imaging/reused_memory.h"
 #include "core/imaging/yuyv.h"
 
 namespace goalmouth {
@@ -12,7 +13,7 @@ std::span<std::uint8_t> CaptureBuffer::prepare(Captured& frame, int width, int h
     const auto bytes = static_cast<std::size_t>(frame.stride) * static_cast<std::size_t>(height);
     frame.slot = {};
     if (memory_ != nullptr) frame.slot = memory_->open(bytes);
-    if (!frame.slot) own_.resize(bytes);
+    if (!frame.slot) fit(own_, bytes);
     const std::span<std::uint8_t> to = frame.slot ? frame.slot.bytes().first(bytes) : std::span(own_);
     frame.bytes = to;
     return to;

@@ -30,7 +30,8 @@ class FrameSlot {
     /// For the memory's owner: the slot is his again, and this is empty.
     int take() {
         memory_ = nullptr;
-        return number_;
+        bytes_ = {};
+        return std::exchange(number_, -1);
     }
 
   private:
@@ -53,8 +54,8 @@ class FrameMemory {
     FrameMemory& operator=(const FrameMemory&) = delete;
     virtual ~FrameMemory() = default;
 
-    /// The slot that was announced longest ago, with `bytes` to write or a little more. Empty where there is
-    /// no memory now. While any is open, all that are asked for fit where that one fits.
+    /// The slot that was announced longest ago, with exactly `bytes` to write. Empty where there is no memory
+    /// now. While any is open, all that are asked for fit where that one fits.
     virtual FrameSlot open(std::size_t bytes) = 0;
     /// How many there are, numbered from 0. Only those that are not open can be read.
     virtual int slots() const = 0;

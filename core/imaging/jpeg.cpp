@@ -1,5 +1,7 @@
 #include "core/imaging/jpeg.h"
 
+#include "core/imaging/reused_memory.h"
+
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
@@ -38,8 +40,8 @@ struct Planes {
         const int count = subsampling == TJSAMP_GRAY ? 1 : 3;
         for (int i = 0; i < count; ++i) {
             strides[i] = tjPlaneWidth(i, width, subsampling);
-            samples[i].resize(static_cast<std::size_t>(strides[i]) *
-                              static_cast<std::size_t>(tjPlaneHeight(i, height, subsampling)));
+            fit(samples[i], static_cast<std::size_t>(strides[i]) *
+                                static_cast<std::size_t>(tjPlaneHeight(i, height, subsampling)));
             data[i] = samples[i].data();
         }
     }

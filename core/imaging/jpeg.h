@@ -15,7 +15,8 @@ namespace goalmouth {
 YuyvImage yuyv_from_jpeg(std::span<const std::uint8_t> jpeg);
 
 /// The same for many images, into memory of the caller's. Keeps its own, so that images of one size cost the
-/// heap nothing after the first.
+/// heap nothing after the first; gives it back for a much smaller one. Reads the header anew in each call:
+/// the bytes must not change meanwhile, nor between the two calls.
 class JpegDecoder {
   public:
     struct Size {

@@ -7,31 +7,35 @@
 
 namespace goalmouth {
 
-void V4l2Buffers::start(int count, std::size_t image_bytes) {
-    count = std::max(count, device_.least_buffers());
+bool V4l2Buffers::start(int count, std::size_t image_bytes) {
     image_bytes_ = image_bytes;
-    refusal_.clear();
+    in_place_ = false;
     lacks_room_ = false;
-    if (memory_ != nullptr) {
-        if (start_in_place(count, image_bytes)) return;
-        device_.release_buffers();
+    if (memory_ != nullptr && !keeps_slots_) {
+        refusal_.clear();
+        if (start_in_place(count, image_bytes)) return true;
+        keeps_slots_ = !device_.release_buffers();
+        if (keeps_slots_) device_.close();
         buffers_.clear();
         missing_ = 0;
+        if (keeps_slots_) return false;
     }
-    start_mapped(count);
+    start_mapped(std::max(count, device_.least_buffers()));
+    return true;
 }
 
 bool V4l2Buffers::start_in_place(int count, std::size_t image_bytes) {
+    if (const int least = std::max(count, device_.least_buffers());
+        least > count || least >= memory_->slots()) {
+        refusal_ = "it needs " + std::to_string(least) + " buffers at once";
+        return false;
+    }
     FrameSlot first = memory_->open(image_bytes);
     lacks_room_ = !first;
     if (lacks_room_) return false;
     const int given = device_.request_user_buffers(std::min(memory_->slots(), VIDEO_MAX_FRAME));
     if (given < count) {
         refusal_ = given == 0 ? std::strerror(errno) : "it takes too few buffers";
-        return false;
-    }
-    if (count >= memory_->slots()) {
-        refusal_ = "it needs " + std::to_string(count) + " buffers at once";
         return false;
     }
     buffers_.resize(static_cast<std::size_t>(given));
@@ -45,7 +49,6 @@ bool V4l2Buffers::start_in_place(int count, std::size_t image_bytes) {
 }
 
 void V4l2Buffers::start_mapped(int count) {
-    in_place_ = false;
     device_.map_buffers(count);
     for (std::uint32_t i = 0; i < device_.buffers(); ++i) {
         if (!device_.queue(i)) device_.fail("does not take its buffers");

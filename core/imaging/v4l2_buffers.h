@@ -24,9 +24,14 @@ class V4l2Buffers {
     V4l2Buffers(const V4l2Buffers&) = delete;
     V4l2Buffers& operator=(const V4l2Buffers&) = delete;
 
-    /// Gives the open device `count` buffers (more where it needs more) for images of `image_bytes`, and
-    /// starts streaming. Throws std::runtime_error.
-    void start(int count, std::size_t image_bytes);
+    /// Gives the open device `count` buffers for images of `image_bytes`, and starts streaming. A device that
+    /// needs more gets more of its own memory: slots it would take from those that stay readable. Throws
+    /// std::runtime_error.
+    ///
+    /// False where the driver took slots, then refused them, and would not let go of them: the device is
+    /// closed, so that it writes there no more. Opened anew and set up, it is started without slots from then
+    /// on.
+    bool start(int count, std::size_t image_bytes);
     /// Closes the device, and only then, when it cannot write there any more, gives the slots back.
     void stop();
 
@@ -57,6 +62,7 @@ class V4l2Buffers {
     FrameMemory* memory_;
     bool in_place_ = false;
     bool lacks_room_ = false;
+    bool keeps_slots_ = false;  // a driver that would not let go
     std::string refusal_;
     std::size_t image_bytes_ = 0;
     struct Buffer {

@@ -123,6 +123,7 @@ void V4l2Device::close() {
     stop();
     ::close(fd_);
     fd_ = -1;
+    has_buffers_ = false;
 }
 
 void V4l2Device::stop() {
@@ -180,6 +181,7 @@ int V4l2Device::request_buffers(v4l2_memory memory, int count) {
     request.memory = memory;
     if (repeated_ioctl(fd_, VIDIOC_REQBUFS, &request) < 0) return -1;
     memory_ = memory;
+    has_buffers_ = request.count > 0;
     return static_cast<int>(request.count);
 }
 
@@ -228,9 +230,9 @@ bool V4l2Device::queue(std::uint32_t index, std::span<std::uint8_t> memory) {
     return repeated_ioctl(fd_, VIDIOC_QBUF, &buffer) == 0;
 }
 
-void V4l2Device::release_buffers() {
+bool V4l2Device::release_buffers() {
     stop();
-    request_buffers(memory_, 0);
+    return !has_buffers_ || request_buffers(memory_, 0) == 0;
 }
 
 std::string V4l2Device::offers() const {

@@ -54,8 +54,9 @@ class V4l2Device {
     bool start_streaming();
     /// Takes a filled buffer. False with errno.
     bool dequeue(v4l2_buffer& buffer);
-    /// Stops streaming and takes all buffers away from it.
-    void release_buffers();
+    /// Stops streaming and takes all buffers away from it. False with errno where it keeps them: then it may
+    /// write there until close().
+    bool release_buffers();
 
     /// "YUYV 640x480 (30, 15 /s), 320x240 (30 /s); MJPG 640x480 (30 /s)": what the device offers.
     std::string offers() const;
@@ -70,6 +71,7 @@ class V4l2Device {
     int fd_ = -1;
     bool streaming_ = false;
     v4l2_memory memory_ = V4L2_MEMORY_MMAP;
+    bool has_buffers_ = false;
     std::vector<Buffer> buffers_;
 };
 

@@ -45,11 +45,11 @@ std::int64_t utc_offset() {
     return offset;
 }
 
-std::int64_t capture_utime(const v4l2_buffer& buffer) {
+/// Capture time [µs] of the monotonic clock.
+std::int64_t capture_stamp(const v4l2_buffer& buffer) {
     if ((buffer.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) != V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC)
-        return microseconds(CLOCK_REALTIME);
-    return static_cast<std::int64_t>(buffer.timestamp.tv_sec) * 1000000 + buffer.timestamp.tv_usec +
-           utc_offset();
+        return microseconds(CLOCK_MONOTONIC);
+    return static_cast<std::int64_t>(buffer.timestamp.tv_sec) * 1000000 + buffer.timestamp.tv_usec;
 }
 
 std::string rate_text(double frames_per_second) {
@@ -73,38 +73,44 @@ V4l2Source::V4l2Source(const V4l2Settings& settings, SourceLog log, FrameMemory*
     start();
 }
 
+/// Opens the device and asks for format and rate.
+void V4l2Source::set_up() {
+    device_.open(settings_.device);
+    const bool compressed = settings_.format == PixelFormat::jpeg;
+    v4l2_pix_format format{};
+    const auto names = compressed ? std::vector<std::uint32_t>{V4L2_PIX_FMT_MJPEG, V4L2_PIX_FMT_JPEG}
+                                  : std::vector<std::uint32_t>{V4L2_PIX_FMT_YUYV};
+    for (const std::uint32_t fourcc : names) {
+        format = device_.set_format(fourcc, settings_.width, settings_.height);
+        if (format.pixelformat == fourcc) break;
+        format.pixelformat = 0;
+    }
+    if (format.pixelformat == 0 || format.width != static_cast<std::uint32_t>(settings_.width) ||
+        format.height != static_cast<std::uint32_t>(settings_.height)) {
+        throw FileError(settings_.device + ": \"" + device_.card() + "\" does not offer " +
+                        wanted(settings_) + "; it offers: " + device_.offers());
+    }
+    if (format.field != V4L2_FIELD_NONE && format.field != V4L2_FIELD_ANY)
+        throw FileError(settings_.device + ": \"" + device_.card() + "\" delivers interlaced frames only");
+    stride_ =
+        compressed ? 0 : std::max(static_cast<int>(format.bytesperline), yuyv_row_bytes(settings_.width));
+    image_bytes_ = std::max<std::size_t>(
+        format.sizeimage, static_cast<std::size_t>(stride_) * static_cast<std::size_t>(settings_.height));
+    rate_ = device_.set_rate(settings_.frames_per_second);
+    if (settings_.frames_per_second > 0.0 && std::abs(rate_ - settings_.frames_per_second) > 0.5 && log_) {
+        log_(settings_.device + ": asked for " + rate_text(settings_.frames_per_second) + ", the camera " +
+             (rate_ > 0.0 ? "runs at " + rate_text(rate_) : "keeps a rate of its own"));
+    }
+}
+
 void V4l2Source::start() {
     buffers_.stop();
-    device_.open(settings_.device);
     try {
-        const bool compressed = settings_.format == PixelFormat::jpeg;
-        v4l2_pix_format format{};
-        const auto names = compressed ? std::vector<std::uint32_t>{V4L2_PIX_FMT_MJPEG, V4L2_PIX_FMT_JPEG}
-                                      : std::vector<std::uint32_t>{V4L2_PIX_FMT_YUYV};
-        for (const std::uint32_t fourcc : names) {
-            format = device_.set_format(fourcc, settings_.width, settings_.height);
-            if (format.pixelformat == fourcc) break;
-            format.pixelformat = 0;
+        set_up();
+        if (!buffers_.start(settings_.buffers, image_bytes_)) {
+            set_up();
+            buffers_.start(settings_.buffers, image_bytes_);
         }
-        if (format.pixelformat == 0 || format.width != static_cast<std::uint32_t>(settings_.width) ||
-            format.height != static_cast<std::uint32_t>(settings_.height)) {
-            throw FileError(settings_.device + ": \"" + device_.card() + "\" does not offer " +
-                            wanted(settings_) + "; it offers: " + device_.offers());
-        }
-        if (format.field != V4L2_FIELD_NONE && format.field != V4L2_FIELD_ANY)
-            throw FileError(settings_.device + ": \"" + device_.card() +
-                            "\" delivers interlaced frames only");
-        stride_ =
-            compressed ? 0 : std::max(static_cast<int>(format.bytesperline), yuyv_row_bytes(settings_.width));
-        image_bytes_ = std::max<std::size_t>(
-            format.sizeimage, static_cast<std::size_t>(stride_) * static_cast<std::size_t>(settings_.height));
-        rate_ = device_.set_rate(settings_.frames_per_second);
-        if (settings_.frames_per_second > 0.0 && std::abs(rate_ - settings_.frames_per_second) > 0.5 &&
-            log_) {
-            log_(settings_.device + ": asked for " + rate_text(settings_.frames_per_second) +
-                 ", the camera " + (rate_ > 0.0 ? "runs at " + rate_text(rate_) : "keeps a rate of its own"));
-        }
-        buffers_.start(settings_.buffers, image_bytes_);
         if (const std::string& refusal = buffers_.refusal(); !refusal.empty() && refusal != last_refusal_) {
             if (log_)
                 log_(settings_.device + ": \"" + device_.card() + "\" does not write into shared memory (" +
@@ -121,6 +127,7 @@ void V4l2Source::start() {
 
 void V4l2Source::gone(const std::string& why) {
     buffers_.stop();
+    last_stamp_.reset();
     back_off_ = first_back_off;
     next_try_ = Clock::now() + back_off_;
     last_failure_.clear();
@@ -161,13 +168,17 @@ void V4l2Source::look_for_room() {
     }
 }
 
-std::int64_t V4l2Source::lost_before(std::uint32_t sequence) {
+std::int64_t V4l2Source::lost_before(std::uint32_t sequence, std::int64_t stamp) {
     std::int64_t lost = 0;
     if (last_sequence_) {
         const std::uint32_t gap = sequence - *last_sequence_ - 1;  // modulo 2³²: the number wraps
         if (gap < 0x80000000U) lost = gap;                         // else the driver began anew
+    } else if (last_stamp_) {
+        const double periods = 1e-6 * static_cast<double>(stamp - *last_stamp_) * rate_;
+        lost = std::max(std::int64_t{0}, static_cast<std::int64_t>(std::llround(periods)) - 1);
     }
     last_sequence_ = sequence;
+    last_stamp_ = stamp;
     return lost;
 }
 
@@ -183,7 +194,7 @@ bool V4l2Source::take(Captured& frame) {
         return false;
     }
     const v4l2_buffer& buffer = filled.buffer;
-    const std::int64_t lost = lost_before(buffer.sequence);
+    const std::int64_t lost = lost_before(buffer.sequence, capture_stamp(buffer));
     counters_.lost += lost;
     lost_since_frame_ += lost;
     const std::size_t needed =
@@ -202,7 +213,7 @@ bool V4l2Source::take(Captured& frame) {
     frame.stride = stride_;
     frame.bytes = filled.bytes;
     frame.slot = std::move(filled.slot);
-    frame.utime = capture_utime(buffer);
+    frame.utime = capture_stamp(buffer) + utc_offset();
     frame.lost = std::exchange(lost_since_frame_, 0);
     return true;
 }

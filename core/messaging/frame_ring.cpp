@@ -22,7 +22,6 @@ constexpr std::uint64_t ring_magic = 0x474D52494E473031;  // "GMRING01"
 constexpr std::uint32_t ring_version = 1;
 constexpr std::size_t page = 4096;
 constexpr int most_slots = 64;
-constexpr std::size_t most_slot_bytes = std::size_t{1} << 30;
 constexpr std::size_t kept_mappings = 4;
 constexpr const char* shared_memory_folder = "/dev/shm";
 }  // namespace
@@ -241,7 +240,7 @@ const RingReader::Mapping* RingReader::mapped(const std::string& name) {
     const bool sound = ring->magic.load(std::memory_order_acquire) == ring_magic &&
                        ring->version == ring_version && ring->data_offset == data_offset &&
                        mapping.slots >= 2 && mapping.slots <= most_slots && mapping.slot_bytes >= 1 &&
-                       mapping.slot_bytes <= most_slot_bytes &&
+                       mapping.slot_bytes <= FrameRing::most_slot_bytes &&
                        slot_offset(mapping.slots, mapping.slot_bytes) <= size;
     if (!sound) return nullptr;
 #ifdef MADV_POPULATE_READ

@@ -12,8 +12,16 @@
 
 namespace goalmouth {
 
-/// Pixels between processes: a ring of slots in POSIX shared memory, one producer, any number of readers that
-/// cannot write.
+struct RingLayout;  // of the shared memory: frame_ring.cpp
+
+/// Where a frame stands in its producer's ring: what image_t carries.
+struct RingPlace {
+    std::int32_t slot = 0;
+    std::int64_t generation = 0;
+};
+
+/// Pixels between processes, the producer's side: a ring of slots in POSIX shared memory, one producer, any
+/// number of readers that cannot write.
 ///
 /// Nobody waits for anybody: the producer takes the slot it finished longest ago, whoever may still be
 /// reading it. Each slot therefore has a generation (a sequence lock): odd while it is written, even and
@@ -29,16 +37,8 @@ namespace goalmouth {
 /// SIGBUS handler would have to live in every process that reads (some are not ours), sealed memory has no
 /// name to open it by, and whoever could do this could as well kill the reader. Our producers never shrink a
 /// ring; they make another.
-struct RingLayout;
-
-/// Where a frame stands in its producer's ring: what image_t carries.
-struct RingPlace {
-    std::int32_t slot = 0;
-    std::int64_t generation = 0;
-};
-
-/// The producer's side. The memory is only its user's to open and gone when this object goes; after a crash,
-/// remove_stale_rings() finds it.
+///
+/// The memory is gone when this object goes; after a crash, remove_stale_rings() finds it.
 class FrameRing {
   public:
     /// A slot that is being written.
@@ -46,6 +46,8 @@ class FrameRing {
         int slot = 0;
         std::span<std::uint8_t> bytes;  // page-aligned
     };
+
+    static constexpr std::size_t most_slot_bytes = std::size_t{1} << 30;
 
     /// Slots of at least `slot_bytes` bytes, all of them allocated here and now: writing never fails later.
     /// `camera` becomes part of the name. Also removes stale rings. Throws std::runtime_error where shared

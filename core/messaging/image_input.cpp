@@ -1,7 +1,9 @@
 #include "core/messaging/image_input.h"
 
+#include "core/imaging/reused_memory.h"
 #include "core/messaging/typed.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <utility>
@@ -83,26 +85,46 @@ void ImageInput::take(const std::string& channel, const image_slice_t& slice) {
     }
 }
 
+/// Into decoded_. False where that is not to be had, and counted.
+bool ImageInput::decode_jpeg(const std::string& channel, const image_t& image,
+                             const std::optional<RingFrame>& ring_frame) {
+    try {
+        std::span<const std::uint8_t> jpeg(image.data);
+        if (ring_frame) {
+            const auto shared = ring_frame->bytes();
+            fit(compressed_, shared.size());
+            std::copy(shared.begin(), shared.end(), compressed_.begin());
+            if (!ring_frame->still_valid()) {
+                ++overwritten_;
+                return false;
+            }
+            jpeg = compressed_;
+        }
+        const auto [width, height] = decoder_.size_of(jpeg);
+        if (width != image.width || height != image.height) {
+            bus_.reject(channel, "a JPEG of another size than its message says");
+            return false;
+        }
+        if (decoded_.width != width || decoded_.height != height) decoded_ = YuyvImage(width, height);
+        decoder_.decode(jpeg, decoded_.data);
+    } catch (const std::exception&) {
+        bus_.reject(channel, "a JPEG that does not decode");
+        return false;
+    }
+    return true;
+}
+
 void ImageInput::hand_out(const std::string& channel, const image_t& image,
                           std::optional<RingFrame> ring_frame) {
-    const auto bytes = ring_frame ? ring_frame->bytes() : std::span<const std::uint8_t>(image.data);
     Frame frame;
+    frame.live = ring_frame.has_value();
     if (image.encoding == "jpeg") {
-        try {
-            const auto [width, height] = decoder_.size_of(bytes);
-            if (width != image.width || height != image.height) {
-                bus_.reject(channel, "a JPEG of another size than its message says");
-                return;
-            }
-            if (decoded_.width != width || decoded_.height != height) decoded_ = YuyvImage(width, height);
-            decoder_.decode(bytes, decoded_.data);
-        } catch (const std::exception&) {
-            bus_.reject(channel, "a JPEG that does not decode");
-            return;
-        }
+        if (!decode_jpeg(channel, image, ring_frame)) return;
         frame.pixels = decoded_.view();
     } else {
+        const auto bytes = ring_frame ? ring_frame->bytes() : std::span<const std::uint8_t>(image.data);
         frame.pixels = {bytes.data(), image.width, image.height, image.row_stride};
+        frame.ring_frame = std::move(ring_frame);
     }
     frame.utime = image.utime;
     frame.seq = image.seq;
@@ -110,7 +132,6 @@ void ImageInput::hand_out(const std::string& channel, const image_t& image,
     frame.intrinsics = image.intrinsics;
     frame.exposure_us = image.exposure_us;
     frame.readout_us = image.readout_us;
-    frame.ring_frame = std::move(ring_frame);
 
     const Mark mark{image.utime, image.seq};
     auto found = cameras_.find(image.camera);
@@ -121,7 +142,7 @@ void ImageInput::hand_out(const std::string& channel, const image_t& image,
         found = cameras_.emplace(image.camera, Camera{}).first;
     }
     found->second.last = mark;
-    found->second.live = frame.ring_frame ? std::optional<Mark>(mark) : std::nullopt;
+    found->second.live = frame.live ? std::optional<Mark>(mark) : std::nullopt;
     ++frames_;
     dropped_ += frame.dropped_before;
     handler_(frame);

@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <goalmouth/image_slice_t.hpp>
 #include <goalmouth/image_t.hpp>
@@ -33,7 +34,8 @@ struct Frame {
     /// overwritten them.
     bool still_valid() const { return !ring_frame || ring_frame->still_valid(); }
 
-    std::optional<RingFrame> ring_frame;  // where the pixels stand in a ring
+    bool live = false;                    // came by shared memory
+    std::optional<RingFrame> ring_frame;  // where the pixels stand in a ring: live and not compressed
 };
 
 /// The receiving end of a camera, for every module that looks at pixels: frames from shared memory as they
@@ -43,7 +45,9 @@ struct Frame {
 /// replay descriptors refer to rings that are gone; then the self-contained form is used, each frame of it.
 /// Numbers that start again lower (a camera started anew, a log played again) are taken.
 ///
-/// Raw frames from shared memory are neither copied nor do they cost memory that grows with their size.
+/// Raw frames from shared memory are neither copied nor do they cost memory that grows with their size. A
+/// JPEG is copied out, compressed, and decoded once it is known to be whole: decoding looks at some bytes
+/// twice, and would trust the second look as the first, whatever their producer wrote in between.
 class ImageInput {
   public:
     using Handler = std::function<void(const Frame&)>;
@@ -76,6 +80,8 @@ class ImageInput {
     void take(const std::string& channel, const image_t& image);
     void take(const std::string& channel, const image_slice_t& slice);
     bool is_news(const std::string& camera, Mark mark, bool self_contained) const;
+    bool decode_jpeg(const std::string& channel, const image_t& image,
+                     const std::optional<RingFrame>& ring_frame);
     void hand_out(const std::string& channel, const image_t& image, std::optional<RingFrame> ring_frame);
 
     Bus& bus_;
@@ -83,7 +89,8 @@ class ImageInput {
     RingReader rings_;
     SliceAssembler assembler_;
     JpegDecoder decoder_;
-    YuyvImage decoded_;  // of the frame handed out last, where it was a JPEG
+    std::vector<std::uint8_t> compressed_;  // of a JPEG in a ring
+    YuyvImage decoded_;                     // of the frame handed out last, where it was a JPEG
     std::map<std::string, Camera> cameras_;
     std::int64_t frames_ = 0;
     std::int64_t dropped_ = 0;

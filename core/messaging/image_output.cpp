@@ -66,19 +66,39 @@ std::size_t packed_bytes(const YuyvView& pixels) {
 ImageOutput::ImageOutput(Bus& bus, std::string channel, std::string camera, int slots)
     : bus_(bus), channel_(std::move(channel)), camera_(std::move(camera)), slots_(slots) {}
 
+/// Once, unless a smaller frame than before has none.
+void ImageOutput::say_no_room(std::size_t bytes, const std::string& why) {
+    if (no_room_for_ != 0 && bytes >= no_room_for_) return;
+    no_room_for_ = bytes;
+    if (ring_) {
+        spdlog::warn(
+            "camera {}: no room for {} bytes at once: {}. Images that fit into the ring there is, {} bytes, "
+            "are "
+            "sent through it meanwhile. Trying on",
+            camera_, bytes, why, ring_->slot_bytes());
+    } else {
+        spdlog::error("images of camera {} cannot be sent: {}. Trying on", camera_, why);
+    }
+}
+
 /// True once there is a ring whose slots hold `bytes`.
 bool ImageOutput::make_room(std::size_t bytes) {
     if (ring_ && ring_->slot_bytes() >= bytes) return true;
     if (ring_ && ring_->open_slots() > 0)
         throw std::logic_error("a larger frame asked for while one is being written");
+    if (bytes > FrameRing::most_slot_bytes) {
+        say_no_room(bytes, "a ring's slots have at most " + std::to_string(FrameRing::most_slot_bytes));
+        return false;
+    }
     try {
         ring_ = std::make_unique<FrameRing>(camera_, slots_, bytes);
     } catch (const std::runtime_error& error) {
-        if (!std::exchange(without_room_, true))
-            spdlog::error("images of camera {} cannot be sent: {}. Trying on", camera_, error.what());
+        say_no_room(bytes, error.what());
         return false;
     }
-    if (std::exchange(without_room_, false))
+    // Also where this one is smaller than the one there was no room for: images are sent now, and what lacks
+    // room still is a matter of its own.
+    if (std::exchange(no_room_for_, 0) != 0)
         spdlog::info("there is shared memory for the images of camera {} now", camera_);
     return true;
 }
@@ -93,12 +113,10 @@ void ImageOutput::abandon(int number) noexcept {
     ring_->abandon(number);
 }
 
-void ImageOutput::announce(const FrameInfo& info, const char* encoding, int row_stride, std::size_t bytes,
-                           FrameSlot slot) {
-    if (!slot) throw std::logic_error("a frame announced without a slot");
+void ImageOutput::announce(const FrameInfo& info, int row_stride, std::size_t bytes, FrameSlot slot) {
     const RingPlace place = ring_->finish_write(slot.take());
     image_t m = message_of(info, camera_);
-    m.encoding = encoding;
+    m.encoding = "yuyv";
     m.row_stride = row_stride;
     m.ring = ring_->name();
     m.slot = place.slot;
@@ -119,18 +137,6 @@ void ImageOutput::announce_missing(const FrameInfo& info) {
     goalmouth::publish(bus_, channel_, m);
 }
 
-void ImageOutput::publish_yuyv(const FrameInfo& info, int row_stride, FrameSlot slot) {
-    const auto bytes =
-        static_cast<std::size_t>(row_stride) * static_cast<std::size_t>(info.intrinsics.height);
-    announce(info, "yuyv", row_stride, bytes, std::move(slot));
-    ++frames_in_place_;
-}
-
-void ImageOutput::publish_jpeg(const FrameInfo& info, std::size_t jpeg_bytes, FrameSlot slot) {
-    announce(info, "jpeg", 0, jpeg_bytes, std::move(slot));
-    ++frames_in_place_;
-}
-
 bool ImageOutput::publish(const FrameInfo& info, const YuyvView& pixels) {
     check_size(info, pixels);
     const std::size_t bytes = packed_bytes(pixels);
@@ -140,7 +146,7 @@ bool ImageOutput::publish(const FrameInfo& info, const YuyvView& pixels) {
         return false;
     }
     copy_rows(pixels, slot.bytes().first(bytes));
-    announce(info, "yuyv", yuyv_row_bytes(pixels.width), bytes, std::move(slot));
+    announce(info, yuyv_row_bytes(pixels.width), bytes, std::move(slot));
     ++copied_frames_;
     return true;
 }
@@ -149,7 +155,9 @@ bool ImageOutput::publish(const FrameInfo& info, Captured& image) {
     const YuyvView pixels{image.bytes.data(), image.width, image.height, image.stride};
     if (!image.slot) return publish(info, pixels);
     check_size(info, pixels);
-    publish_yuyv(info, image.stride, std::move(image.slot));
+    const auto bytes = static_cast<std::size_t>(image.stride) * static_cast<std::size_t>(image.height);
+    announce(info, image.stride, bytes, std::move(image.slot));
+    ++frames_in_place_;
     return true;
 }
 

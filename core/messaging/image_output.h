@@ -28,24 +28,23 @@ struct FrameInfo {
 /// The sending end of a camera: pixels into a ring of shared memory, a descriptor onto the bus.
 ///
 /// Where /dev/shm has no room for the ring, that is said once, with the remedy, and tried again with each
-/// frame; frames meanwhile are counted as missed. Such a frame's descriptor is still sent, naming no ring
+/// frame; frames meanwhile are counted as missed. So it is for frames too large for the ring there is and for
+/// any, above FrameRing::most_slot_bytes. Such a frame's descriptor is still sent, naming no ring
 /// there is: it has readers let go of the ring of a camera that ended before, whose memory is perhaps what is
 /// missing.
 class ImageOutput : public FrameMemory {
   public:
-    /// The ring has `slots` slots. It is made with the first frame, and anew where a frame is larger than its
-    /// slots; the smaller one stays where there is no room for a larger.
+    /// The ring has `slots` slots, 2 to 64. It is made with the first frame, and anew where a frame is larger
+    /// than its slots; the smaller one stays where there is no room for a larger.
     ImageOutput(Bus& bus, std::string channel, std::string camera, int slots = 8);
 
-    /// Memory in the ring for a frame of `bytes`: to be filled and announced by publish_yuyv() or
-    /// publish_jpeg(). Empty where there is no room; publish() then makes another attempt and counts.
-    /// Throws std::logic_error where all slots are open, or for a larger frame than the ring's while one is.
+    /// Memory in the ring for a frame of `bytes`: to be filled, and announced by publish() as what a Captured
+    /// stands in. Empty where there is no room; publish() then makes another attempt and counts. Throws
+    /// std::logic_error where all slots are open, or for a larger frame than the ring's while one is; its
+    /// std::invalid_argument for 0 bytes, or a number of slots no ring has.
     FrameSlot open(std::size_t bytes) override;
     int slots() const override { return slots_; }
 
-    /// Announce what was written into a slot of open(). None is copied.
-    void publish_yuyv(const FrameInfo& info, int row_stride, FrameSlot slot);
-    void publish_jpeg(const FrameInfo& info, std::size_t jpeg_bytes, FrameSlot slot);
     /// Copies a frame into the ring and announces it. False where it was missed for want of memory.
     bool publish(const FrameInfo& info, const YuyvView& pixels);
     /// One or the other, as `image` (4:2:2) stands in a slot of this or not. Gives the slot up.
@@ -67,12 +66,14 @@ class ImageOutput : public FrameMemory {
     const std::string& camera() const { return camera_; }
     /// Name of the ring, "" while there is none.
     std::string ring() const { return ring_ ? ring_->name() : ""; }
+    /// Size of the largest frame it holds, 0 while there is none.
+    std::size_t slot_bytes() const { return ring_ ? ring_->slot_bytes() : 0; }
 
   private:
     void abandon(int number) noexcept override;
     bool make_room(std::size_t bytes);
-    void announce(const FrameInfo& info, const char* encoding, int row_stride, std::size_t bytes,
-                  FrameSlot slot);
+    void say_no_room(std::size_t bytes, const std::string& why);
+    void announce(const FrameInfo& info, int row_stride, std::size_t bytes, FrameSlot slot);
     void announce_missing(const FrameInfo& info);
 
     Bus& bus_;
@@ -80,7 +81,8 @@ class ImageOutput : public FrameMemory {
     std::string camera_;
     int slots_;
     std::unique_ptr<FrameRing> ring_;
-    bool without_room_ = false;
+    // The smallest frame there was no room for since there was room last: that was said. 0: none.
+    std::size_t no_room_for_ = 0;
     std::int64_t frames_in_place_ = 0;
     std::int64_t copied_frames_ = 0;
     std::int64_t missed_frames_ = 0;

@@ -157,9 +157,16 @@ std::vector<LogEvent> read_log(const std::filesystem::path& path) {
     return events;
 }
 
-LogWriter::LogWriter(const std::filesystem::path& path) : path_(path) {
-    fd_ = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (fd_ < 0) throw std::runtime_error("cannot write log " + path.string() + ": " + cause());
+LogWriter::LogWriter(const std::filesystem::path& path, Existing existing) : path_(path) {
+    // Asking first whether there is a file would leave room for one that appears in between.
+    const int way = existing == Existing::keep ? O_EXCL : O_TRUNC;
+    for (int number = 2;; ++number) {
+        fd_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | way, 0666);
+        if (fd_ >= 0) return;
+        if (way != O_EXCL || errno != EEXIST)
+            throw std::runtime_error("cannot write log " + path_.string() + ": " + cause());
+        path_ = path.string() + "." + std::to_string(number);
+    }
 }
 
 LogWriter::~LogWriter() {

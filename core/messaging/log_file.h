@@ -62,8 +62,12 @@ std::vector<LogEvent> read_log(const std::filesystem::path& path);
 /// Writes an LCM log file that lcm-logplayer and every LCM language read.
 class LogWriter {
   public:
-    /// Replaces a file that exists. Throws std::runtime_error with path and cause.
-    explicit LogWriter(const std::filesystem::path& path);
+    enum class Existing {
+        replace,
+        keep,  // where there is a file of this name, "NAME.2" and so on is made
+    };
+    /// Throws std::runtime_error with path and cause.
+    explicit LogWriter(const std::filesystem::path& path, Existing existing = Existing::replace);
     ~LogWriter();
     LogWriter(const LogWriter&) = delete;
     LogWriter& operator=(const LogWriter&) = delete;
@@ -71,6 +75,8 @@ class LogWriter {
     /// The event is with the operating system when this returns. Throws std::runtime_error where the disk is
     /// full or broken, having taken back the part that was written.
     void write(const std::string& channel, std::int64_t utime, std::span<const std::uint8_t> data);
+
+    const std::filesystem::path& path() const { return path_; }
 
   private:
     std::filesystem::path path_;

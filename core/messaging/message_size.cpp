@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -36,11 +35,12 @@ std::string bytes_text(std::size_t bytes) {
 }
 
 std::string remedy(std::size_t bytes) {
+    const std::string smaller =
+        "Make it smaller (scan-lines: a larger spacing; images: shared memory, or the slices the tap sends)";
+    if (bytes > lcm_largest) return smaller;  // whatever the buffers
     const std::string room = std::to_string(2 * bytes);
-    return "Make it smaller (scan-lines: a larger spacing; images: shared memory, or the slices the tap "
-           "sends), "
-           "or give receivers room, as root: sysctl -w net.core.rmem_max=" +
-           room + " net.core.rmem_default=" + room;
+    return smaller + ", or give receivers room, as root: sysctl -w net.core.rmem_max=" + room +
+           " net.core.rmem_default=" + room;
 }
 
 }  // namespace
@@ -58,8 +58,7 @@ ReceiveBuffers receive_buffers() {
 }
 
 SizeLimits size_limits(const std::string& lcm_url) {
-    const char* variable = std::getenv("LCM_DEFAULT_URL");
-    const std::string url = lcm_url.empty() && variable != nullptr ? variable : lcm_url;
+    const std::string url = effective_lcm_url(lcm_url);
     SizeLimits limits;
     if (udp_port(url) == 0) return limits;
     limits.buffers = receive_buffers();

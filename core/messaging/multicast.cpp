@@ -34,13 +34,8 @@ class Socket {
     int fd_;
 };
 
-std::string or_default(const std::string& lcm_url) {
-    const char* from_environment = std::getenv("LCM_DEFAULT_URL");
-    return lcm_url.empty() && from_environment != nullptr ? from_environment : lcm_url;
-}
-
 bool goes_by_udp(const std::string& url) {
-    return url.empty() || url.starts_with("udpm:") || url.starts_with("mpudpm:");
+    return url.starts_with("udpm:") || url.starts_with("mpudpm:");
 }
 
 /// "udpm://239.255.76.67:7667?ttl=0" → "239.255.76.67"; LCM's own group where the URL names none.
@@ -70,8 +65,14 @@ bool comes_back(int receiver, const std::array<char, 16>& sent,
 
 }  // namespace
 
+std::string effective_lcm_url(const std::string& lcm_url) {
+    if (!lcm_url.empty()) return lcm_url;
+    const char* variable = std::getenv("LCM_DEFAULT_URL");
+    return variable != nullptr && *variable != '\0' ? variable : default_lcm_url;
+}
+
 bool multicast_works(const std::string& lcm_url) {
-    const std::string url = or_default(lcm_url);
+    const std::string url = effective_lcm_url(lcm_url);
     if (!goes_by_udp(url)) return true;
 
     sockaddr_in group{};
@@ -108,7 +109,7 @@ bool multicast_works(const std::string& lcm_url) {
 
 int udp_port(const std::string& lcm_url) {
     constexpr int usual_port = 7667;
-    const std::string url = or_default(lcm_url);
+    const std::string url = effective_lcm_url(lcm_url);
     if (!goes_by_udp(url)) return 0;
     const std::size_t begin = url.find("://");
     const std::size_t colon = begin == std::string::npos ? begin : url.find(':', begin + 3);
@@ -140,8 +141,8 @@ double fullest_receive_buffer(int port) {
 }
 
 std::string multicast_advice() {
-    return "this machine has no multicast route. As root: \"ip link set lo up; ip route add 224.0.0.0/4 dev "
-           "lo\"; "
+    return "this machine has no multicast route. As root: \"ip link set lo up; "
+           "ip route add 224.0.0.0/4 dev lo\"; "
            "or let the graph have a network of its own: \"goalmouth launch --network private\"";
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -14,12 +13,6 @@
 namespace goalmouth {
 namespace {
 
-using std::chrono::microseconds;
-
-SlicePacer::Time time_of(std::int64_t utime) {
-    return SlicePacer::Time(microseconds(utime));
-}
-
 template <class Message>
 std::vector<std::uint8_t> encoded(const Message& message) {
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
@@ -27,24 +20,21 @@ std::vector<std::uint8_t> encoded(const Message& message) {
     return bytes;
 }
 
-std::filesystem::path unused(const std::filesystem::path& wanted) {
-    std::filesystem::path name = wanted;
-    for (int number = 2; std::filesystem::exists(name); ++number)
-        name = wanted.string() + "." + std::to_string(number);
-    return name;
-}
-
 }  // namespace
 
 TapLog::TapLog(const std::filesystem::path& wanted, int slice_bytes, std::string image_channel,
-               std::string slices_channel)
-    : file_(unused(wanted)),
-      writer_(file_),
+               std::string slices_channel, std::int64_t begin_utime, Time begin)
+    : writer_(wanted, LogWriter::Existing::keep),
       pacer_(slice_bytes),
       image_channel_(std::move(image_channel)),
-      slices_channel_(std::move(slices_channel)) {}
+      slices_channel_(std::move(slices_channel)),
+      begin_utime_(begin_utime),
+      begin_(begin),
+      written_until_(begin) {}
 
-void TapLog::append(const std::string& channel, std::span<const std::uint8_t> message, std::int64_t utime) {
+void TapLog::append(const std::string& channel, std::span<const std::uint8_t> message, Time time) {
+    const std::int64_t utime =
+        begin_utime_ + std::chrono::duration_cast<std::chrono::microseconds>(time - begin_).count();
     try {
         writer_.write(channel, utime, message);
     } catch (const std::runtime_error& error) {
@@ -55,34 +45,33 @@ void TapLog::append(const std::string& channel, std::span<const std::uint8_t> me
     }
 }
 
-void TapLog::write(const std::string& channel, std::span<const std::uint8_t> message, std::int64_t now) {
+void TapLog::write(const std::string& channel, std::span<const std::uint8_t> message, Time now) {
     catch_up(now);
     append(channel, message, now);
 }
 
-void TapLog::write(const image_t& self_contained, std::int64_t now) {
+void TapLog::write(const image_t& self_contained, Time now) {
     catch_up(now);
     if (static_cast<std::size_t>(self_contained.getEncodedSize()) <= datagram_bytes) {
         append(image_channel_, encoded(self_contained), now);
     } else {
-        pacer_.offer(self_contained, time_of(now));
+        pacer_.offer(self_contained, now);
     }
 }
 
-void TapLog::catch_up(std::int64_t now) {
+void TapLog::catch_up(Time now) {
     for (;;) {
-        const auto wait = pacer_.next_due(time_of(written_until_));
-        if (!wait || wait->count() > now - written_until_) break;
-        written_until_ += wait->count();
-        const auto slice = pacer_.due(time_of(written_until_));
+        const auto wait = pacer_.next_due(written_until_);
+        if (!wait || *wait > now - written_until_) break;
+        written_until_ += *wait;
+        const auto slice = pacer_.due(written_until_);
         if (slice) append(slices_channel_, encoded(*slice), written_until_);
     }
     written_until_ = std::max(written_until_, now);
 }
 
 void TapLog::finish() {
-    while (const auto wait = pacer_.next_due(time_of(written_until_)))
-        catch_up(written_until_ + wait->count());
+    while (const auto wait = pacer_.next_due(written_until_)) catch_up(written_until_ + *wait);
 }
 
 }  // namespace goalmouth

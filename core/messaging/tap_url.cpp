@@ -3,19 +3,10 @@
 #include "core/messaging/multicast.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <stdexcept>
 
 namespace goalmouth {
 namespace {
-
-constexpr const char* lcm_default = "udpm://239.255.76.67:7667?ttl=0";
-
-std::string spelt_out(const std::string& url) {
-    if (!url.empty()) return url;
-    const char* variable = std::getenv("LCM_DEFAULT_URL");
-    return variable != nullptr && *variable != '\0' ? variable : lcm_default;
-}
 
 /// "udpm://GROUP:PORT?OPTIONS" with another port.
 std::string with_port(const std::string& url, int port) {
@@ -30,12 +21,12 @@ std::string with_port(const std::string& url, int port) {
 }  // namespace
 
 std::string tap_url(const std::string& graph_url, const std::string& setting) {
-    const std::string graph = spelt_out(graph_url);
+    const std::string graph = effective_lcm_url(graph_url);
     if (setting == "graph") return graph;
     if (setting != "own") {
         if (setting.find("://") == std::string::npos)
             throw std::invalid_argument("'" + setting + "' is not an LCM URL; valid: own, graph, or e.g. " +
-                                        lcm_default);
+                                        default_lcm_url);
         if (setting != graph && same_traffic(graph, setting)) {
             throw std::invalid_argument(
                 "'" + setting + "' has the port of the graph's own " + graph +
@@ -55,8 +46,8 @@ std::string tap_url(const std::string& graph_url, const std::string& setting) {
 }
 
 bool same_traffic(const std::string& one_url, const std::string& other_url) {
-    const std::string one = spelt_out(one_url);
-    const std::string other = spelt_out(other_url);
+    const std::string one = effective_lcm_url(one_url);
+    const std::string other = effective_lcm_url(other_url);
     if (one == other) return true;
     const int port = udp_port(one);
     return port != 0 && port == udp_port(other);

@@ -8,7 +8,6 @@
 #include "core/process/text.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include <yaml-cpp/yaml.h>
 
@@ -228,12 +227,9 @@ std::string lcm_url_of(const Graph& graph, const std::string& asked) {
         return asked;
     }
     if (!graph.lcm_url.empty()) return graph.lcm_url;
-    const char* variable = std::getenv("LCM_DEFAULT_URL");
-    if (variable && *variable) {
-        check_lcm_url(variable, "$LCM_DEFAULT_URL");
-        return variable;
-    }
-    return default_lcm_url;
+    const std::string url = effective_lcm_url("");
+    check_lcm_url(url, "$LCM_DEFAULT_URL");
+    return url;
 }
 
 std::vector<std::string> command_line(const Graph& graph, const GraphProcess& process,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/messaging/multicast.h"
 #include "core/process/configuration.h"
 #include "core/process/module.h"
 
@@ -80,9 +81,6 @@ struct GraphOptions {
     /// this.
     std::function<bool(const std::string& executable, ProgramDescription& description)> describe;
 };
-
-/// The LCM URL of a graph nobody gave one: the LCM default group and port, and nothing leaves the host.
-inline constexpr const char* default_lcm_url = "udpm://239.255.76.67:7667?ttl=0";
 
 /// Reads and checks a graph: a file, or the name of one in config/graphs/ ("ransac"). Throws
 /// ConfigurationError with file, line, key and what would be valid for the first mistake: keys and types,

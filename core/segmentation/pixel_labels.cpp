@@ -5,8 +5,9 @@
 #include <cstring>
 #include <new>
 
-// What transitions.cpp is compiled for.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE_256 | HWY_SVE2 | HWY_SVE2_128 | HWY_RVV)
+// Before Highway:
+#include "core/segmentation/vector_targets.h"
+//
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/segmentation/pixel_labels.cpp"
 #include <hwy/foreach_target.h>

@@ -10,7 +10,9 @@
 #include "core/messaging/clock.h"
 #include "core/process/configuration.h"
 
+#include <new>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <spdlog/spdlog.h>
@@ -24,7 +26,8 @@ constexpr std::chrono::milliseconds least_lead{
     2};  // before it is due, an image of a file is fetched at the latest
 constexpr double usual_rate = 30.0;
 
-std::unique_ptr<ImageSource> open_source(const CameraParameters& p, FrameMemory& memory) {
+std::unique_ptr<ImageSource> open_source(const CameraParameters& p, FrameMemory& memory,
+                                         FrameMemory& for_files) {
     const SourceLog log = [](const std::string& what) { spdlog::warn("{}", what); };
     const ImageSize size{p.width, p.height};
     try {
@@ -40,8 +43,8 @@ std::unique_ptr<ImageSource> open_source(const CameraParameters& p, FrameMemory&
         }
         if (p.path.empty())
             throw ConfigurationError("path: empty, but the source \"" + p.source + "\" needs one");
-        if (p.source == "video") return std::make_unique<VideoSource>(p.path, p.loop, log, &memory);
-        return std::make_unique<DirectorySource>(p.path, size, p.loop, log, &memory);
+        if (p.source == "video") return std::make_unique<VideoSource>(p.path, p.loop, log, &for_files);
+        return std::make_unique<DirectorySource>(p.path, size, p.loop, log, &for_files);
     } catch (const FileError& error) {
         throw ConfigurationError(error.what());
     }
@@ -50,7 +53,8 @@ std::unique_ptr<ImageSource> open_source(const CameraParameters& p, FrameMemory&
 /// Slots of the ring: those that are being written, one at a time where no driver does it, come on top of
 /// those readers can count on.
 int slots_of(const CameraParameters& p) {
-    return p.readable_frames + (p.source == "v4l2" ? p.buffers : 1);
+    const bool driver_writes = p.source == "v4l2" && p.format == "yuyv";
+    return p.readable_frames + (driver_writes ? p.buffers : 1);
 }
 
 double rate_of(const ImageSource& source, const CameraParameters& p) {
@@ -73,7 +77,7 @@ CameraModule::CameraModule(ModuleContext& context, const Parameters& parameters)
     : context_(context),
       parameters_(parameters),
       output_(context.bus, context.channel(channels::image), parameters.camera_name, slots_of(parameters)),
-      source_(open_source(parameters, output_)),
+      source_(open_source(parameters, output_, slots_for_files_)),
       info_output_(context.bus, context.channel(channels::camera_info)),
       rate_(rate_of(*source_, parameters)) {
     for (const auto& [name, value] : output_.counters()) context_.status.set(name, value);
@@ -101,12 +105,17 @@ std::optional<Intrinsics> CameraModule::intrinsics_for(int width, int height) {
     return fitting;
 }
 
-/// Motion JPEG into pixels.
+/// Motion JPEG into pixels. A damaged header must not decide how much memory there is to be.
 bool CameraModule::decode() {
     if (captured_.format == PixelFormat::yuyv) return true;
     const auto jpeg = captured_.bytes;
     try {
         const auto [width, height] = decoder_.size_of(jpeg);
+        if (width != captured_.width || height != captured_.height) {
+            throw std::runtime_error("a JPEG of " + std::to_string(width) + "x" + std::to_string(height) +
+                                     " from a camera that sends " + std::to_string(captured_.width) + "x" +
+                                     std::to_string(captured_.height));
+        }
         decoder_.decode(jpeg, decoded_.prepare(captured_, width, height));
     } catch (const std::runtime_error& error) {
         context_.status.count("damaged_jpeg");
@@ -116,9 +125,22 @@ bool CameraModule::decode() {
     return true;
 }
 
+/// A file may be of any size there is: one that memory does not suffice for is left out.
+ImageSource::Outcome CameraModule::next_image() {
+    try {
+        return source_->next(captured_, longest_wait);
+    } catch (const std::bad_alloc&) {
+        captured_ = {};
+        context_.status.count("too_large");
+        if (!std::exchange(said_no_memory_, true))
+            spdlog::warn("skipped: an image too large for the memory there is");
+        return ImageSource::Outcome::nothing;
+    }
+}
+
 /// Takes the next image that can be used, if there is one by now.
 bool CameraModule::fetch() {
-    const auto outcome = source_->next(captured_, longest_wait);
+    const auto outcome = next_image();
     report_counters();
     if (outcome == ImageSource::Outcome::ended)
         end_ = Clock::now() +

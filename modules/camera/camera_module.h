@@ -60,6 +60,25 @@ void describe_parameters(Visitor& v, CameraParameters& p) {
       "sources directory and video: capture time of the first image since 1970 UTC; 0: now");
 }
 
+/// A ring as memory for images of files, whose headers may say anything: a slot of the ring there is or, for
+/// the first image, of one for images of at most `most_first_bytes`. Larger ones are decoded elsewhere and
+/// copied, so that only an image that is one, and that the calibration is for, ever makes the ring larger.
+class SlotsForFiles : public FrameMemory {
+  public:
+    static constexpr std::size_t most_first_bytes = std::size_t{1} << 26;
+
+    explicit SlotsForFiles(ImageOutput& output) : output_(output) {}
+    FrameSlot open(std::size_t bytes) override {
+        const std::size_t most = output_.slot_bytes() > 0 ? output_.slot_bytes() : most_first_bytes;
+        return bytes <= most ? output_.open(bytes) : FrameSlot();
+    }
+    int slots() const override { return output_.slots(); }
+
+  private:
+    void abandon(int) noexcept override {}  // they are the output's
+    ImageOutput& output_;
+};
+
 /// Publishes the images of a source with their capture time.
 class CameraModule : public Module {
   public:
@@ -75,6 +94,7 @@ class CameraModule : public Module {
     using Clock = std::chrono::steady_clock;
 
     bool fetch();
+    ImageSource::Outcome next_image();
     std::chrono::microseconds send_when_due();
     std::chrono::microseconds fetch_in_time();
     std::chrono::microseconds time_left() const;
@@ -87,6 +107,7 @@ class CameraModule : public Module {
     ModuleContext& context_;
     Parameters parameters_;
     ImageOutput output_;  // before the source, which writes into it
+    SlotsForFiles slots_for_files_{output_};
     std::unique_ptr<ImageSource> source_;
     CameraInfoOutput info_output_;
     std::optional<Intrinsics> calibration_;
@@ -106,6 +127,7 @@ class CameraModule : public Module {
     SourceCounters reported_;
     bool said_damaged_jpeg_ = false;
     bool said_wrong_shape_ = false;
+    bool said_no_memory_ = false;
 };
 
 }  // namespace goalmouth

@@ -58,9 +58,9 @@ std::shared_ptr<Bus> bus_for(ModuleContext& context, const TapParameters& parame
 std::unique_ptr<TapLog> log_for(const ModuleContext& context, const TapParameters& parameters) {
     if (parameters.file.empty()) return {};
     try {
-        auto log = std::make_unique<TapLog>(parameters.file, parameters.slice_bytes,
-                                            context.channel(channels::image_tap),
-                                            context.channel(channels::image_slices));
+        auto log = std::make_unique<TapLog>(
+            parameters.file, parameters.slice_bytes, context.channel(channels::image_tap),
+            context.channel(channels::image_slices), now_utime(), Clock::now());
         spdlog::info("records to {}", log->file().string());
         return log;
     } catch (const std::runtime_error& error) {
@@ -101,8 +101,7 @@ TapModule::TapModule(ModuleContext& context, const Parameters& parameters)
       input_(
           context.bus, context.channel(channels::image), "", "", [this](const Frame& frame) { take(frame); },
           Delivery::every) {
-    const bool elsewhere = bus_ && bus_.get() != &context.bus;
-    if (!parameters.forward || !(elsewhere || log_)) return;
+    if (!parameters.forward || !(elsewhere() || log_)) return;
     context.bus.subscribe_all([this](const std::string& channel, std::span<const std::uint8_t> message) {
         forward(channel, message);
     });
@@ -110,13 +109,14 @@ TapModule::TapModule(ModuleContext& context, const Parameters& parameters)
 
 void TapModule::forward(const std::string& channel, std::span<const std::uint8_t> message) {
     if (!std::regex_match(channel, forwarded_)) return;
-    if (bus_ && bus_.get() != &context_.bus) {
+    if (elsewhere()) {
+        const std::int64_t before = bus_->counters().published;
         bus_->publish(channel, message);
-        context_.status.count("forwarded");
+        context_.status.count("forwarded", static_cast<double>(bus_->counters().published - before));
     }
     // What this tap sends on the graph's port stands in the log already.
     if (log_ && channel != tap_channel_ && channel != slices_channel_)
-        log_->write(channel, message, now_utime());
+        log_->write(channel, message, Clock::now());
 }
 
 void TapModule::take(const Frame& frame) {
@@ -135,10 +135,10 @@ void TapModule::take(const Frame& frame) {
 }
 
 void TapModule::record(const image_t& image) {
-    log_->write(image, now_utime());
+    const std::int64_t before = log_->left_out();
+    log_->write(image, Clock::now());
+    if (log_->left_out() > before) return;  // it took the place of one that is counted
     context_.status.count("recorded_frames");
-    context_.status.set("not_recorded", static_cast<double>(log_->not_written()));
-    context_.status.set("frames_not_recorded", static_cast<double>(log_->left_out()));
     if (!bus_) context_.status.output(image.utime);
 }
 
@@ -149,8 +149,23 @@ void TapModule::send(const image_t& image) {
         return;
     }
     pacer_.offer(image, Clock::now());
-    context_.status.dropped(pacer_.left_out() - reported_left_out_);
-    reported_left_out_ = pacer_.left_out();
+}
+
+/// STATUS shows by itself what happens on the graph's bus only.
+void TapModule::report() {
+    Status& status = context_.status;
+    if (elsewhere()) {
+        const BusCounters& traffic = bus_->counters();
+        status.set("oversized", static_cast<double>(traffic.oversized));
+        status.set("rejected", static_cast<double>(traffic.rejected_total()));
+    }
+    if (log_) {
+        status.set("not_recorded", static_cast<double>(log_->not_written()));
+        status.set("frames_not_recorded", static_cast<double>(log_->left_out()));
+    }
+    const std::int64_t left_out = bus_ ? pacer_.left_out() : log_->left_out();
+    status.dropped(left_out - reported_left_out_);
+    reported_left_out_ = left_out;
 }
 
 // A log that ends with this process should hold the last frame as well.
@@ -163,7 +178,8 @@ TapModule::~TapModule() {
 // Slices are a millisecond apart, which is as fine as waiting for messages gets: the distances are waited for
 // here.
 std::chrono::microseconds TapModule::tick() {
-    if (log_) log_->catch_up(now_utime());
+    if (log_) log_->catch_up(Clock::now());
+    report();
     const auto stop = Clock::now() + longest_tick;
     for (;;) {
         const auto wait = pacer_.next_due(Clock::now());

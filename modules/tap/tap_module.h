@@ -30,8 +30,7 @@ template <class Visitor>
 void describe_parameters(Visitor& v, TapParameters& p) {
     v("url", p.url, Text{},
       "where to publish: own = the graph's group on the graph's port + 1000; graph = the graph's own port; "
-      "off "
-      "= nowhere; or an LCM URL");
+      "off = nowhere; or an LCM URL");
     v("forward", p.forward, "send the graph's messages there too, so that one log holds all");
     v("forward_channels", p.forward_channels, Text{},
       "which: a regular expression for the whole name of a channel");
@@ -65,6 +64,8 @@ class TapModule : public Module {
     void forward(const std::string& channel, std::span<const std::uint8_t> message);
     void send(const image_t& image);
     void record(const image_t& image);
+    void report();
+    bool elsewhere() const { return bus_ && bus_.get() != &context_.bus; }
 
     ModuleContext& context_;
     Parameters parameters_;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <fstream>
 #include <iostream>
 #include <map>
 
@@ -83,8 +84,32 @@ void record_with_tap(const std::filesystem::path& log, const std::string&) {
     run_until_poses(graph, 20);
 }
 
+/// The simulator's camera with 1600×1200 pixels.
+std::filesystem::path two_megapixels(const std::filesystem::path& folder) {
+    const auto file = folder / "two_megapixels.yaml";
+    std::ofstream(file) << "width: 1600\nheight: 1200\nfx: 1385.65\nfy: 1385.65\ncx: 799.5\ncy: 599.5\n"
+                           "k1: 0\nk2: 0\np1: 0\np2: 0\nk3: 0\n";
+    return file;
+}
+
+/// Five frames a second of two megapixels. The log begins with the first frame: waiting is ten times as long
+/// when it is played.
+void record_two_megapixels(const std::filesystem::path& log, const std::string&) {
+    std::filesystem::remove(log);
+    GraphOptions options;
+    options.settings = {"camera.camera=" + two_megapixels(log.parent_path()).string(),
+                        "camera.frames_per_second=5",
+                        "camera.frames=6",
+                        "tap.url=off",
+                        "tap.file=" + log.string(),
+                        "tap.forward_channels=(SEGMENTS|BORDER|CANDIDATES|POSTS|POSE|ODOMETRY|KINEMATICS)"};
+    test::RunningGraph graph(test::shipped_graph("record"), options);
+    run_until_poses(graph, 3);
+}
+
 /// Plays the log into the replaying graph; what came out of it up to the frame `last`.
-Results replay(const std::filesystem::path& log, std::int64_t last, const std::string& mark) {
+Results replay(const std::filesystem::path& log, std::int64_t last, const std::string& mark,
+               const std::string& speed) {
     Results replayed;
     LcmBus bus(url);
     for (const auto& channel : compared) {
@@ -98,7 +123,7 @@ Results replay(const std::filesystem::path& log, std::int64_t last, const std::s
         return std::all_of(processes.begin(), processes.end(),
                            [](const ProcessReport& process) { return process.status.has_value(); });
     })) << graph.story();
-    test::Running player({"lcm-logplayer", std::string("--lcm-url=") + url,
+    test::Running player({"lcm-logplayer", std::string("--lcm-url=") + url, "--speed=" + speed,
                           "--regexp=(IMAGE_TAP|IMAGE_SLICES|ODOMETRY|KINEMATICS)", log.string()},
                          mark);
     graph.until(
@@ -132,7 +157,7 @@ Differences compare(const std::map<std::int64_t, Bytes>& recorded,
 // LCM loses datagrams where a machine has no time for a receiver: such a run is made again. A frame that
 // comes through has the same bytes in any case, and poses too unless a frame before them was lost.
 void expect_the_same_bytes(void (*record)(const std::filesystem::path&, const std::string&),
-                           std::size_t frames) {
+                           std::size_t frames, const std::string& speed = "1") {
     const test::TemporaryFolder folder;
     const auto log = folder.path() / "run.lcmlog";
     const std::string mark = test::new_mark();
@@ -143,7 +168,7 @@ void expect_the_same_bytes(void (*record)(const std::filesystem::path&, const st
         Results recorded;
         for (const LogEvent& event : read_log(log)) collect(recorded, event.channel, event.data);
         ASSERT_GE(recorded["SEGMENTS"].size(), frames);
-        Results replayed = replay(log, recorded["POSTS"].rbegin()->first, mark);
+        Results replayed = replay(log, recorded["POSTS"].rbegin()->first, mark, speed);
         lost = 0;
         for (const auto& channel : compared) {
             const Differences differences = compare(recorded[channel], replayed[channel]);
@@ -164,6 +189,10 @@ TEST(Replay, FromTheTapsLogGivesTheBytesThatSharedMemoryGave) {
 
 TEST(Replay, FromALogThatTheTapWroteGivesTheBytesThatSharedMemoryGave) {
     expect_the_same_bytes(record_with_tap, 20);
+}
+
+TEST(Replay, TwoMegapixelsFromTheTapsLogComeThroughAtATenthOfTheSpeed) {
+    expect_the_same_bytes(record_two_megapixels, 3, "0.1");
 }
 
 }  // namespace

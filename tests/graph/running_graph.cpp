@@ -8,7 +8,8 @@
 
 namespace goalmouth::test {
 
-RunningGraph::RunningGraph(const std::string& file, GraphOptions options, const std::string& lcm_url) {
+RunningGraph::RunningGraph(const std::string& file, GraphOptions options, const std::string& lcm_url,
+                           Start when) {
     const Graph graph = load_graph(file, options);
     LauncherOptions launcher_options;
     launcher_options.lcm_url = lcm_url_of(graph, lcm_url);
@@ -20,7 +21,7 @@ RunningGraph::RunningGraph(const std::string& file, GraphOptions options, const 
         if (tap) tap_bus_ = std::make_unique<LcmBus>(tap_url(launcher_options.lcm_url));
         listen(tap ? *tap_bus_ : *bus_, process);
     }
-    launcher_->start();
+    if (when == Start::now) start();
 }
 
 void RunningGraph::listen(LcmBus& bus, const GraphProcess& process) {

@@ -17,9 +17,14 @@ namespace goalmouth::test {
 /// A graph with its launcher, and somebody who listens to what comes out.
 class RunningGraph {
   public:
+    enum class Start {
+        now,
+        later,  // by start(): for who wants to hear the first message
+    };
     /// On `lcm_url` where one is given, else on the graph's own.
     explicit RunningGraph(const std::string& graph, GraphOptions options = {},
-                          const std::string& lcm_url = {});
+                          const std::string& lcm_url = {}, Start start = Start::now);
+    void start() { launcher_->start(); }
 
     /// Lets things happen for a moment.
     void step();

@@ -42,14 +42,21 @@ void append_line(YuyvView image, const ColourTable& table, Orientation orientati
 
 Segments segment_frame_naively(YuyvView image, const ColourTable& table, const ScanLayout& layout) {
     Segments out;
+    segment_frame_naively(image, table, layout, out);
+    return out;
+}
+
+void segment_frame_naively(YuyvView image, const ColourTable& table, const ScanLayout& layout,
+                           Segments& out) {
+    out.lines.clear();
+    out.segments.clear();
     out.width = image.width;
     out.height = image.height;
-    if (image.empty()) return out;
+    if (image.empty()) return;
     for (const int y : layout.rows)
         if (y >= 0 && y < image.height) append_line(image, table, Orientation::horizontal, y, out);
     for (const int x : layout.columns)
         if (x >= 0 && x < image.width) append_line(image, table, Orientation::vertical, x, out);
-    return out;
 }
 
 }  // namespace goalmouth

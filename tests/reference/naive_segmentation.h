@@ -12,4 +12,7 @@ namespace goalmouth {
 /// the same result.
 Segments segment_frame_naively(YuyvView image, const ColourTable& table, const ScanLayout& layout);
 
+/// The same into `out`, whose memory is used again.
+void segment_frame_naively(YuyvView image, const ColourTable& table, const ScanLayout& layout, Segments& out);
+
 }  // namespace goalmouth

@@ -1,6 +1,6 @@
 #include "core/detection/primitive_ransac.h"
 
-#include "core/detection/edge_lines.h"
+#include "core/detection/line_search.h"
 
 #include <algorithm>
 #include <cmath>

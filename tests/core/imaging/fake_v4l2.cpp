@@ -99,6 +99,7 @@ int FakeCamera::ioctl(unsigned long request, void* argument) {
             return 0;
         case VIDIOC_REQBUFS: {
             auto& wanted = *static_cast<v4l2_requestbuffers*>(argument);
+            if (release_error != 0 && !free_.empty()) return release_error;
             if (wanted.memory == V4L2_MEMORY_USERPTR) {
                 if (!takes_user_memory) return EINVAL;
                 wanted.count = std::min(wanted.count, static_cast<std::uint32_t>(user_buffers));
@@ -107,6 +108,7 @@ int FakeCamera::ioctl(unsigned long request, void* argument) {
                 free_.clear();
                 queued = 0;
             }
+            kind_ = wanted.memory;
             memory_.assign(wanted.count, std::vector<std::uint8_t>(4096));
             return 0;
         }
@@ -120,7 +122,14 @@ int FakeCamera::ioctl(unsigned long request, void* argument) {
             return queue(*static_cast<v4l2_buffer*>(argument));
         case VIDIOC_DQBUF:
             return dequeue(*static_cast<v4l2_buffer*>(argument));
+        case VIDIOC_G_CTRL: {
+            auto& control = *static_cast<v4l2_control*>(argument);
+            if (control.id != V4L2_CID_MIN_BUFFERS_FOR_CAPTURE || least_buffers == 0) return EINVAL;
+            control.value = least_buffers;
+            return 0;
+        }
         case VIDIOC_STREAMON:
+            if (kind_ == V4L2_MEMORY_USERPTR && user_stream_error != 0) return user_stream_error;
             streaming = true;
             return 0;
         case VIDIOC_STREAMOFF:

@@ -40,8 +40,11 @@ class FakeCamera {
     short poll_events = 0;   // instead of POLLIN for a waiting event, where not 0
     bool unplugged = false;  // cannot be opened; an open one answers ENODEV
     bool takes_user_memory = false;
-    int user_queue_error = 0;  // what queueing user memory ends with
-    int user_buffers = 32;     // how many it gives at most
+    int user_queue_error = 0;   // what queueing user memory ends with
+    int user_buffers = 32;      // how many it gives at most
+    int user_stream_error = 0;  // what the start of streaming into user memory ends with
+    int release_error = 0;      // what giving up buffers it was given ends with: it keeps them until closed
+    int least_buffers = 0;      // where not 0: how many it needs
     /// Writes into everything that is queued, as a driver may at any time until it is stopped.
     void scribble(std::uint8_t value);
 
@@ -59,6 +62,7 @@ class FakeCamera {
     int dequeue(v4l2_buffer& buffer);
     int queue(const v4l2_buffer& buffer);
     int fd_ = -1;
+    std::uint32_t kind_ = V4L2_MEMORY_MMAP;
     std::vector<std::vector<std::uint8_t>> memory_;
     struct Queued {
         std::uint32_t index;

@@ -1,5 +1,7 @@
 #include "core/imaging/jpeg.h"
 
+#include "core/imaging/reused_memory.h"
+
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -111,6 +113,29 @@ TEST(Jpeg, WhatIsNoJpegOrHalfOfOneIsAnError) {
     bytes.resize(bytes.size() / 2);
     EXPECT_THROW(yuyv_from_jpeg(bytes), std::runtime_error);
     EXPECT_THROW(jpeg_from_yuyv({}, 90), std::invalid_argument);
+}
+
+TEST(Jpeg, ADecoderServesImagesOfAnySizeOneAfterTheOther) {
+    JpegDecoder decoder;
+    for (const int width : {64, 3000, 62, 2000, 64}) {
+        const auto jpeg = jpeg_from_yuyv(ramp(width, 400).view(), 90);
+        const YuyvImage expected = yuyv_from_jpeg(jpeg);
+        std::vector<std::uint8_t> to(expected.data.size());
+        decoder.decode(jpeg, to);
+        EXPECT_EQ(to, expected.data) << width;
+    }
+}
+
+TEST(ReusedMemory, IsGivenBackForAMuchSmallerImageOnly) {
+    std::vector<std::uint8_t> memory;
+    fit(memory, 40'000'000);
+    const auto* at = memory.data();
+    fit(memory, 10'000'000);
+    EXPECT_EQ(memory.data(), at);
+    EXPECT_EQ(memory.size(), 10'000'000U);
+    fit(memory, 9'000'000);
+    EXPECT_EQ(memory.size(), 9'000'000U);
+    EXPECT_LT(memory.capacity(), 10'000'000U);
 }
 
 TEST(Jpeg, PaddingBehindTheImageIsTaken) {

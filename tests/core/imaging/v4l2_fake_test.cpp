@@ -350,6 +350,63 @@ TEST_F(V4l2, ADriverThatDoesNotTakeTheSlotsIsSaidOnceAndUsesItsOwnMemory) {
     }
 }
 
+TEST_F(V4l2, ADriverThatKeepsTheSlotsItRefusedIsClosedBeforeTheyAreGivenBack) {
+    camera_.takes_user_memory = true;
+    camera_.user_stream_error = EIO;
+    camera_.release_error = EBUSY;
+    Slots slots(6);
+    int while_open = 0;
+    slots.when_abandoned = [&] { while_open += camera_.opened != camera_.closed; };
+    auto s = source(&slots);
+    EXPECT_EQ(while_open, 0);
+    EXPECT_EQ(slots.open_slots(), 0);
+    EXPECT_EQ(camera_.opened, 2);
+    EXPECT_FALSE(s.in_place());
+    slots.fill(9);
+    frame(0, 44);
+    ASSERT_EQ(s.next(captured_, 10ms), captured);
+    EXPECT_EQ(captured_.bytes[0], 44);
+    EXPECT_TRUE(slots.all_are(9));
+    ASSERT_EQ(said_.size(), 1U);
+    EXPECT_THAT(said_[0], HasSubstr("each image is copied once"));
+}
+
+TEST_F(V4l2, ADriverThatNeedsMoreBuffersDoesNotTakeThemFromTheReadableSlots) {
+    camera_.takes_user_memory = true;
+    camera_.least_buffers = 6;
+    Slots slots(12);
+    auto s = source(&slots);
+    EXPECT_FALSE(s.in_place());
+    EXPECT_EQ(slots.open_slots(), 0);
+    EXPECT_EQ(camera_.queued, 6) << "of its own";
+    ASSERT_EQ(said_.size(), 1U);
+    EXPECT_THAT(said_[0], HasSubstr("it needs 6 buffers at once"));
+}
+
+TEST_F(V4l2, FramesLostByTheChangeToSlotsAreCountedByTheRate) {
+    camera_.takes_user_memory = true;
+    settings_.frames_per_second = 50.0;
+    Slots slots(6);
+    slots.room = false;
+    auto s = source(&slots);
+    const std::int64_t begun = now_us(CLOCK_MONOTONIC);
+    frame(7);
+    camera_.events.back().monotonic_us = begun;
+    ASSERT_EQ(s.next(captured_, 10ms), captured);
+    slots.room = true;
+    const auto deadline = std::chrono::steady_clock::now() + 60s;
+    while (!s.in_place()) {
+        ASSERT_LT(std::chrono::steady_clock::now(), deadline);
+        s.next(captured_, 10ms);
+    }
+    frame(0);
+    camera_.events.back().monotonic_us = begun + 1'100'000;  // 55 periods
+    ASSERT_EQ(s.next(captured_, 10ms), captured);
+    EXPECT_EQ(captured_.lost, 54);
+    EXPECT_EQ(s.counters().lost, 54);
+    captured_ = {};
+}
+
 TEST_F(V4l2, WhileThereIsNoRoomForSlotsTheDriversMemoryIsUsed) {
     camera_.takes_user_memory = true;
     Slots slots(6);

@@ -8,10 +8,12 @@
 #include "tests/support/example_messages.h"
 
 #include <algorithm>
-#include <cstring>
+#include <atomic>
+#include <mutex>
 #include <optional>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -42,6 +44,30 @@ std::vector<std::uint8_t> bytes_of(const YuyvView& view) {
     for (int y = 0; y < view.height; ++y)
         bytes.insert(bytes.end(), view.row(y), view.row(y) + yuyv_row_bytes(view.width));
     return bytes;
+}
+
+RingPlace write_jpeg(FrameRing& ring, const std::vector<std::uint8_t>& jpeg) {
+    const auto [slot, memory] = ring.begin_write(jpeg.size());
+    std::copy(jpeg.begin(), jpeg.end(), memory.begin());
+    return ring.finish_write(slot);
+}
+
+/// A descriptor as a foreign camera may send it: ours announce pixels only.
+image_t compressed(const FrameInfo& info, const FrameRing& ring, RingPlace place, std::size_t bytes) {
+    image_t m{};
+    m.utime = info.utime;
+    m.seq = info.seq;
+    m.camera = "front";
+    m.intrinsics = info.intrinsics;
+    m.width = info.intrinsics.width;
+    m.height = info.intrinsics.height;
+    m.exposure_us = info.exposure_us;
+    m.encoding = "jpeg";
+    m.ring = ring.name();
+    m.slot = place.slot;
+    m.generation = place.generation;
+    m.size = static_cast<std::int32_t>(bytes);
+    return m;
 }
 
 /// A camera, a tap's channels and a consumer on one hub.
@@ -238,9 +264,12 @@ TEST_F(ImageIo, AReplayIntoAConsumerThatWasLiveIsTakenOnceTheRingIsGone) {
 
 TEST_F(ImageIo, FramesMayBeWrittenInPlaceAndGrow) {
     const YuyvImage small = picture(64, 48, 1);
-    FrameSlot slot = output.open(small.data.size());
-    std::memcpy(slot.bytes().data(), small.data.data(), small.data.size());
-    output.publish_yuyv(info_of(0), small.stride(), std::move(slot));
+    Captured captured;
+    CaptureBuffer buffer(&output);
+    const auto memory = buffer.prepare(captured, 64, 48);
+    std::copy(small.data.begin(), small.data.end(), memory.begin());
+    EXPECT_EQ(output.slot_bytes(), 8192U) << "whole pages";
+    EXPECT_TRUE(output.publish(info_of(0), captured));
     hub.run_until_idle();
     const std::string first_ring = output.ring();
     output.publish(info_of(1, 640, 480), picture(640, 480, 2).view());
@@ -275,14 +304,85 @@ TEST_F(ImageIo, OddWidthsSurvive) {
 TEST_F(ImageIo, JpegsAreDecodedInBothForms) {
     const YuyvImage image = picture(64, 48, 100);
     const auto jpeg = jpeg_from_yuyv(image.view(), 90);
-    FrameSlot slot = output.open(jpeg.size());
-    std::memcpy(slot.bytes().data(), jpeg.data(), jpeg.size());
-    output.publish_jpeg(info_of(0), jpeg.size(), std::move(slot));
+    FrameRing ring("front", 2, jpeg.size());
+    publish(sender, channels::image, compressed(info_of(0), ring, write_jpeg(ring, jpeg), jpeg.size()));
     hub.run_until_idle();
     publish(sender, channels::image_tap, self_contained_jpeg(info_of(100), "front", image.view(), 90, 60000));
     hub.run_until_idle();
     ASSERT_EQ(seqs(), (Seqs{0, 100}));
     for (const auto& frame : seen) EXPECT_EQ(frame.pixels, bytes_of(yuyv_from_jpeg(jpeg).view()));
+}
+
+TEST_F(ImageIo, AJpegOutOfARingStaysValidWhateverItsCameraWrites) {
+    const auto jpeg = jpeg_from_yuyv(picture(64, 48, 100).view(), 90);
+    FrameRing ring("front", 2, jpeg.size());
+    int frames = 0;
+    ImageInput consumer(receiver, channels::image, "", "", [&](const Frame& frame) {
+        const auto before = bytes_of(frame.pixels);
+        for (int i = 0; i < 4; ++i) write_jpeg(ring, std::vector<std::uint8_t>(jpeg.size(), 0));
+        EXPECT_EQ(bytes_of(frame.pixels), before);
+        EXPECT_TRUE(frame.still_valid());
+        EXPECT_TRUE(frame.live);
+        EXPECT_FALSE(frame.ring_frame) << "the pixels stand elsewhere";
+        ++frames;
+    });
+    publish(sender, channels::image, compressed(info_of(0), ring, write_jpeg(ring, jpeg), jpeg.size()));
+    hub.run_until_idle();
+    EXPECT_EQ(frames, 1);
+}
+
+// Decoded in place, a JPEG would change under the decoder's eyes: half one image, half the other, or none.
+TEST_F(ImageIo, AJpegThatIsOverwrittenWhileItIsReadIsNeverDecoded) {
+    std::vector<std::vector<std::uint8_t>> jpegs, pixels;
+    for (std::uint32_t seed = 0; seed < 2; ++seed) {
+        YuyvImage noise(320, 240);
+        std::mt19937 random(seed);
+        for (auto& byte : noise.data) byte = static_cast<std::uint8_t>(random());
+        jpegs.push_back(jpeg_from_yuyv(noise.view(), 90));
+        pixels.push_back(yuyv_from_jpeg(jpegs.back()).data);
+    }
+    const std::size_t size = std::max(jpegs[0].size(), jpegs[1].size());
+    for (auto& jpeg : jpegs) jpeg.resize(size, 0);  // cameras pad
+    FrameRing ring("front", 3, size);  // an odd number: each slot holds one and the other in turn
+
+    std::mutex mutex;
+    RingPlace newest = write_jpeg(ring, jpegs[0]);
+    std::atomic<bool> done = false;
+    std::thread camera([&] {
+        for (std::size_t i = 1; !done; ++i) {
+            const RingPlace place = write_jpeg(ring, jpegs[i % 2]);
+            const std::lock_guard lock(mutex);
+            newest = place;
+        }
+    });
+    int whole = 0, torn = 0;
+    ImageInput consumer(receiver, channels::image, "", "", [&](const Frame& frame) {
+        const auto seen_pixels = bytes_of(frame.pixels);
+        ++(seen_pixels == pixels[0] || seen_pixels == pixels[1] ? whole : torn);
+    });
+    for (std::int64_t seq = 0; seq < 400; ++seq) {
+        RingPlace place;
+        {
+            const std::lock_guard lock(mutex);
+            place = newest;
+        }
+        publish(sender, channels::image, compressed(info_of(seq, 320, 240), ring, place, size));
+        hub.run_until_idle();
+    }
+    done = true;
+    camera.join();
+    EXPECT_EQ(torn, 0);
+    EXPECT_EQ(receiver.counters().rejected_total(), 0) << "what was whole in the ring decodes";
+    EXPECT_EQ(whole + consumer.overwritten(), 400);
+}
+
+TEST_F(ImageIo, AFrameLargerThanAnyRingIsMissedNotFatal) {
+    EXPECT_FALSE(output.open(FrameRing::most_slot_bytes + 1));
+    send_live(0);
+    EXPECT_FALSE(output.open(FrameRing::most_slot_bytes + 1)) << "and the ring there is stays";
+    send_live(1);
+    EXPECT_EQ(output.copied_frames(), 2);
+    EXPECT_EQ(output.missed_frames(), 0);
 }
 
 TEST_F(ImageIo, BrokenJpegsAreCountedAndSkipped) {

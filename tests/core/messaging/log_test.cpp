@@ -214,6 +214,20 @@ TEST(Log, AFullDiskIsAnError) {
     EXPECT_THROW(publish(bus, "ODOMETRY", example_odometry()), std::runtime_error);
 }
 
+TEST(Log, OneThatKeepsWhatThereIsTakesTheNextNameThatIsFree) {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / "log";
+    std::ofstream(path) << "mine";
+    fs::create_symlink(folder.path() / "not_there", path.string() + ".2");  // a name that is taken as well
+    LogWriter writer(path, LogWriter::Existing::keep);
+    EXPECT_EQ(writer.path(), path.string() + ".3");
+    writer.write("A", 1, std::vector<std::uint8_t>{1});
+    EXPECT_EQ(read_log(writer.path()).size(), 1U);
+    EXPECT_EQ(contents(path), "mine");
+    EXPECT_FALSE(fs::exists(folder.path() / "not_there"));
+    EXPECT_THROW(LogWriter(folder.path() / "no" / "such", LogWriter::Existing::keep), std::runtime_error);
+}
+
 TEST(Log, WhatADiskRefusesInTheMiddleOfAnEventIsTakenBack) {
     const TemporaryFolder folder;
     rlimit before{};

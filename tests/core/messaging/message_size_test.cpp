@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -125,6 +126,16 @@ TEST(MessageSize, WhatNoReceiverCanHoldIsNotSent) {
     EXPECT_THAT(log.text(), HasSubstr("not sent"));
     EXPECT_THAT(log.text(), HasSubstr(std::to_string(largest)));
     EXPECT_THAT(log.text(), HasSubstr("sysctl -w net.core.rmem_max="));
+}
+
+TEST(MessageSize, NobodyIsToldToEnlargeBuffersForWhatNoBufferHelps) {
+    const SizeLimits limits = size_limits("udpm://239.255.76.67:7667?ttl=1");
+    const std::size_t largest = std::size_t{1} << 28;
+    EXPECT_THAT(undeliverable_text(largest, limits), HasSubstr("rmem_max=536870912"));
+    for (const std::size_t size : {largest + 1, std::size_t{1} << 31, SIZE_MAX}) {
+        EXPECT_THAT(undeliverable_text(size, limits), HasSubstr("larger spacing"));
+        EXPECT_THAT(undeliverable_text(size, limits), testing::Not(HasSubstr("rmem")));
+    }
 }
 
 TEST(MessageSize, WithinAProcessSizeDoesNotMatter) {

@@ -1,5 +1,10 @@
 #include "core/messaging/tap_url.h"
 
+#include "core/messaging/message_size.h"
+#include "core/messaging/multicast.h"
+
+#include <cstdlib>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -64,6 +69,42 @@ TEST(TapUrl, TrafficIsSharedByPort) {
     EXPECT_TRUE(same_traffic("memq://", "memq://"));
     EXPECT_FALSE(same_traffic(graph, "udpm://239.255.76.67:7668?ttl=0"));
     EXPECT_FALSE(same_traffic("memq://", "tcpq://localhost:7700"));
+}
+
+/// $LCM_DEFAULT_URL while it lives; nothing = not set.
+class DefaultUrl {
+  public:
+    explicit DefaultUrl(std::optional<std::string> url) {
+        if (const char* former = std::getenv(name)) former_ = former;
+        set(url);
+    }
+    ~DefaultUrl() { set(former_); }
+    DefaultUrl(const DefaultUrl&) = delete;
+    DefaultUrl& operator=(const DefaultUrl&) = delete;
+
+  private:
+    static constexpr const char* name = "LCM_DEFAULT_URL";
+    static void set(const std::optional<std::string>& url) {
+        url ? ::setenv(name, url->c_str(), 1) : ::unsetenv(name);
+    }
+    std::optional<std::string> former_;
+};
+
+TEST(EffectiveLcmUrl, IsTheOneGivenThenTheVariablesThenLcmsOwn) {
+    for (const auto& unset : {std::optional<std::string>{}, std::optional<std::string>{""}}) {
+        const DefaultUrl variable(unset);
+        EXPECT_EQ(effective_lcm_url(""), graph);
+        EXPECT_EQ(effective_lcm_url("memq://"), "memq://");
+        EXPECT_EQ(udp_port(""), 7667);
+        EXPECT_EQ(tap_url(""), "udpm://239.255.76.67:8667?ttl=0");
+        EXPECT_EQ(size_limits("").datagram, size_limits(graph).datagram);
+    }
+    const DefaultUrl variable("memq://");
+    EXPECT_EQ(effective_lcm_url(""), "memq://");
+    EXPECT_EQ(effective_lcm_url(graph), graph);
+    EXPECT_EQ(udp_port(""), 0);
+    EXPECT_EQ(tap_url(""), "memq://");
+    EXPECT_EQ(size_limits("").datagram, size_limits("memq://").datagram);
 }
 
 }  // namespace

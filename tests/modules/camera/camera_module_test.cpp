@@ -1,10 +1,13 @@
 #include "modules/camera/camera_module.h"
 
+#include "core/imaging/image_file.h"
+#include "core/imaging/jpeg.h"
 #include "core/messaging/frame_ring.h"
 #include "core/messaging/memory_bus.h"
 #include "core/messaging/typed.h"
 #include "core/process/configuration.h"
 #include "core/process/run_module.h"
+#include "tests/core/imaging/fake_v4l2.h"
 #include "tests/support/data.h"
 #include "tests/support/files.h"
 #include "tests/support/small_shared_memory.h"
@@ -152,6 +155,60 @@ TEST_F(Camera, FilesAreReadAndDecodedStraightIntoSharedMemory) {
     EXPECT_EQ(status_.counters().at("frames_in_place"), 3.0);
     EXPECT_EQ(status_.counters().at("copied_frames"), 0.0);
     EXPECT_EQ(status_.counters().at("missed_frames"), 0.0);
+}
+
+/// A JPEG whose header claims another height.
+std::vector<std::uint8_t> jpeg_of(int grey, int claimed_height = 0) {
+    YuyvImage image(64, 48);
+    for (std::size_t i = 0; i < image.data.size(); ++i)
+        image.data[i] = static_cast<std::uint8_t>(i % 2 == 0 ? grey : 128);
+    auto jpeg = jpeg_from_yuyv(image.view(), 90);
+    for (std::size_t i = 0; claimed_height > 0 && i + 6 < jpeg.size(); ++i) {
+        if (jpeg[i] != 0xff || jpeg[i + 1] != 0xc0) continue;
+        jpeg[i + 5] = static_cast<std::uint8_t>(claimed_height >> 8);
+        jpeg[i + 6] = static_cast<std::uint8_t>(claimed_height);
+        break;
+    }
+    return jpeg;
+}
+
+TEST_F(Camera, ADamagedMotionJpegHeaderAsksForNoMemory) {
+    test::FakeCamera camera;
+    camera.offered = V4L2_PIX_FMT_MJPEG;
+    camera.width = 64;
+    camera.height = 48;
+    for (const int height : {0, 16384, 47, 0}) {
+        test::FakeCamera::Event event;
+        event.bytes = jpeg_of(90, height);
+        event.sequence = static_cast<std::uint32_t>(camera.events.size());
+        camera.events.push_back(event);
+    }
+    parameters_.source = "v4l2";
+    parameters_.device = test::FakeCamera::path;
+    parameters_.format = "mjpeg";
+    parameters_.width = 64;
+    parameters_.height = 48;
+    run(2);
+    ASSERT_EQ(images_.size(), 2U);
+    EXPECT_EQ(images_[0].ring, images_[1].ring) << "the ring stays";
+    EXPECT_EQ(status_.counters().at("damaged_jpeg"), 2.0);
+    EXPECT_EQ(status_.counters().at("frames_in_place"), 2.0);
+}
+
+TEST_F(Camera, ADamagedHeaderOfAFileDoesNotReplaceTheRing) {
+    picture("a.png", 10);
+    write_bytes(folder_.path() / "b.jpg", jpeg_of(20, 8000));
+    picture("c.png", 30);
+    picture("d.png", 40, 640, 480);
+    picture("e.png", 50, 640, 480);
+    run();
+    EXPECT_THAT(first_lumas_, ElementsAre(10, 30, 40, 50));
+    EXPECT_EQ(images_.at(0).ring, images_.at(1).ring);
+    EXPECT_NE(images_.at(1).ring, images_.at(2).ring) << "an image that is one makes it larger";
+    EXPECT_EQ(images_.at(2).ring, images_.at(3).ring);
+    EXPECT_EQ(status_.counters().at("unreadable_images"), 1.0);
+    EXPECT_EQ(status_.counters().at("copied_frames"), 1.0);
+    EXPECT_EQ(status_.counters().at("frames_in_place"), 3.0);
 }
 
 TEST_F(Camera, SaysHowManyCopiesItMadeBeforeItMadeAny) {

@@ -10,7 +10,11 @@
 #include "tests/support/example_messages.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <csignal>
+#include <ctime>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -19,10 +23,23 @@
 #include <span>
 #include <string>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+namespace {
+std::atomic<std::time_t> wall_clock_set_by{0};  // s
+}
+
+/// The wall clock of this program, which a test may set: takes the place of the C library's.
+extern "C" int clock_gettime(clockid_t clock, timespec* time) noexcept {
+    const auto result = static_cast<int>(syscall(SYS_clock_gettime, clock, time));
+    if (result == 0 && clock == CLOCK_REALTIME) time->tv_sec += wall_clock_set_by;
+    return result;
+}
 
 namespace goalmouth {
 namespace {
@@ -381,6 +398,98 @@ TEST_F(TapBetween, OnAFullDiskTheLogStaysReadableAndTheTapGoesOn) {
     EXPECT_GE(pictures, 10);
     EXPECT_LT(pictures, 20);
     EXPECT_EQ(last, std::vector<std::uint8_t>{77});
+}
+
+TEST_F(TapBetween, AWallClockSetBackHoldsNoPictureUpInItsLog) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "run.lcmlog";
+    start({.url = "off", .file = file.string(), .encoding = "raw"});
+    const YuyvImage image = noise(640, 480, 3);
+    constexpr int frames = 12;  // more than wait at most
+    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    for (int seq = 0; seq < frames; ++seq) {
+        camera.publish(info_of(seq, image.width, image.height), image.view());
+        say("POSE", static_cast<std::uint8_t>(seq));
+        graph.run_until_idle();
+        if (seq == 3) wall_clock_set_by = -3600;
+        const std::size_t whole = static_cast<std::size_t>(seq + 1) * image.data.size();
+        while (std::filesystem::file_size(file) < whole && std::chrono::steady_clock::now() < limit)
+            tap->tick();
+        EXPECT_GE(std::filesystem::file_size(file), whole) << "picture " << seq;
+    }
+    tap.reset();
+    wall_clock_set_by = 0;
+    std::int64_t last = 0;
+    int slices = 0;
+    for (const LogEvent& event : read_log(file)) {
+        EXPECT_GE(event.utime, last);
+        last = event.utime;
+        slices += event.channel == "IMAGE_SLICES" ? 1 : 0;
+    }
+    EXPECT_EQ(slices, 20 * frames);
+    EXPECT_EQ(status.dropped_frames(), 0);
+}
+
+TEST_F(TapBetween, FramesForWhichItsLogHasNoTimeAreDroppedAndCounted) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "run.lcmlog";
+    start({.url = "off", .file = file.string(), .encoding = "raw"});
+    const YuyvImage image = noise(640, 480, 3);
+    int sent = 0;
+    for (; status.dropped_frames() == 0 && sent < 200; ++sent) {
+        FrameInfo info = info_of(sent, image.width, image.height);
+        info.utime = 1'000'000 + 200'000 * sent;  // so much time to write each, and they come at once
+        camera.publish(info, image.view());
+        graph.run_until_idle();
+        tap->tick();
+    }
+    const auto dropped = static_cast<int>(status.dropped_frames());
+    EXPECT_GT(dropped, 0);
+    EXPECT_EQ(status.counters().at("frames_not_recorded"), dropped);
+    EXPECT_EQ(status.counters().at("recorded_frames"), sent - dropped);
+    tap.reset();
+    int slices = 0;
+    for (const LogEvent& event : read_log(file)) slices += event.channel == "IMAGE_SLICES" ? 1 : 0;
+    EXPECT_EQ(slices, 20 * (sent - dropped));
+}
+
+TEST_F(TapBetween, MessagesMissingInItsLogAreCountedWithoutAPictureToo) {
+    const TemporaryFolder folder;
+    start({.file = (folder.path() / "run.lcmlog").string()});
+    {
+        const FullDisk full(10);
+        say("POSE", 1);
+        say("POSE", 2);
+        settle();
+    }
+    EXPECT_EQ(status.counters().at("not_recorded"), 2.0);
+}
+
+/// A network that refuses what is larger than 10 bytes and warns from 5 on.
+class NarrowBus : public Bus {
+  public:
+    void publish(const std::string& channel, std::span<const std::uint8_t> message) override {
+        if (message.size() > 10) {
+            reject(channel, "too large");
+            return;
+        }
+        ++counters_.published;
+        if (message.size() >= 5) ++counters_.oversized;
+    }
+    void subscribe(const std::string&, Delivery, Handler) override {}
+    void subscribe_all(ChannelHandler) override {}
+    bool dispatch(std::chrono::milliseconds) override { return false; }
+};
+
+TEST_F(TapBetween, WhatItsOwnPortRefusesIsCountedAndNotForwarded) {
+    context.open_bus = [](const std::string&) { return std::make_shared<NarrowBus>(); };
+    start({});
+    for (const std::size_t size : {3U, 5U, 10U, 11U})
+        graph.endpoint("somebody").publish("POSE", std::vector<std::uint8_t>(size, 1));
+    settle();
+    EXPECT_EQ(status.counters().at("forwarded"), 3.0);
+    EXPECT_EQ(status.counters().at("oversized"), 2.0);
+    EXPECT_EQ(status.counters().at("rejected"), 1.0);
 }
 
 TEST_F(TapBetween, AWrongUrlOrExpressionIsAConfigurationError) {
