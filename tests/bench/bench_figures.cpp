@@ -121,4 +121,27 @@ Figure contenders_figure(const SizeResult& size) {
     return figure;
 }
 
+Figure latency_figure(const GraphBenchResult& graph) {
+    Figure figure;
+    figure.title = fmt::format("Capture to posts, {}×{} at {:g} frames per second", graph.width, graph.height,
+                               graph.frames_per_second);
+    figure.x_label = "age of the frame [ms]";
+    figure.y_label = "frames up to that age [%]";
+    figure.log_x = true;
+    figure.y_range = {0.0, 100.0};
+    for (const WayResult& way : graph.ways) {
+        const StageResult* posts = way.stage("POSTS");
+        if (posts == nullptr || posts->heard.ages.empty()) continue;
+        Series series;
+        series.name = way.title;
+        series.style.kind = SeriesStyle::Kind::line;
+        for (int percent = 0; percent <= 100; ++percent) {
+            series.x.push_back(1e-3 * std::max(1.0, posts->heard.quantile(0.01 * percent)));
+            series.y.push_back(percent);
+        }
+        figure.series.push_back(std::move(series));
+    }
+    return figure;
+}
+
 }  // namespace goalmouth::bench

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/bench/graph_bench.h"
 #include "tests/bench/point_sets.h"
 #include "tests/bench/stages.h"
 #include "tools/evaluate/report/figure.h"
@@ -17,5 +18,9 @@ Figure points_figure(const std::vector<PointRow>& points);
 /// Everybody at one size side by side, ours at the spacing that is judged; a logarithmic scale, because they
 /// lie a hundredfold apart.
 Figure contenders_figure(const SizeResult& size);
+
+/// How old frames are when their posts are heard, way by way, as a distribution; no series where nothing was
+/// heard.
+Figure latency_figure(const GraphBenchResult& graph);
 
 }  // namespace goalmouth::bench

@@ -38,9 +38,17 @@ void add_timing(Json& json, const Timing& timing) {
 }
 
 Json ratio_json(const Ratio& ratio) {
-    Json json{{"name", ratio.name},         {"ours_ms", ratio.ours_ms}, {"other", ratio.other},
-              {"other_ms", ratio.other_ms}, {"ratio", ratio.ratio},     {"bar", ratio.bar},
+    const auto value = [&](double number) { return ratio.measured ? Json(number) : Json(nullptr); };
+    Json json{{"name", ratio.name},          {"ours_ms", value(ratio.ours_ms)},
+              {"other", ratio.other},        {"other_ms", value(ratio.other_ms)},
+              {"ratio", value(ratio.ratio)}, {"bar", ratio.bar},
               {"stretch", ratio.stretch}};
+    json["measured"] = ratio.measured;
+    json["verdict"] = verdict_text(ratio);
+    json["size"] = ratio.size.empty() ? Json(nullptr) : Json(ratio.size);
+    json["spacing"] = ratio.spacing == 0 ? Json(nullptr) : Json(ratio.spacing);
+    if (ratio.seconds > 0.0) json["seconds"] = ratio.seconds;
+    if (!ratio.note.empty()) json["note"] = ratio.note;
     if (!ratio.unit.empty()) json["unit"] = ratio.unit;
     json["met"] = ratio.met();
     json["stretch_met"] = ratio.stretch_met();
@@ -91,6 +99,7 @@ Json growth_json(const StagesResult& stages) {
 
 void add_stages(Json& json, const StagesResult& stages) {
     json["same_segments"] = stages.same_segments;
+    json["left_out"] = stages.left_out;
     json["frames"] = Json::array();
     json["stages"] = Json::array();
     for (const SizeResult& size : stages.sizes) {

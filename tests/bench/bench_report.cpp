@@ -1,5 +1,6 @@
 #include "tests/bench/bench_report.h"
 
+#include "core/detection/ransac_parameters.h"
 #include "tests/bench/bench_figures.h"
 #include "tools/evaluate/report/html_page.h"
 #include "tools/evaluate/report/report_folder.h"
@@ -16,13 +17,14 @@ using Kind = StageRow::Kind;
 Table ratio_table(const std::vector<Ratio>& ratios) {
     Table table;
     table.caption = "Ratios of medians, measured in one run";
-    table.columns = {"", "ours", "other", "which", "ratio", "bar", "stretch"};
+    table.columns = {"", "ours", "other", "which", "ratio", "bar", "stretch", "verdict"};
     table.good = "the bar is met";
     table.bad = "it is not";
     for (const Ratio& r : ratios) {
-        table.rows.push_back({r.name, value_text(r, r.ours_ms), value_text(r, r.other_ms), r.other,
-                              Cell(r.ratio, 3, r.met() ? Mark::good : Mark::bad),
-                              fmt::format("≤ {:g}", r.bar), fmt::format("{:g}", r.stretch)});
+        table.rows.push_back({r.name, r.measured ? value_text(r, r.ours_ms) : std::string("-"),
+                              r.measured ? value_text(r, r.other_ms) : std::string("-"), r.other,
+                              r.measured ? Cell(r.ratio, 3, r.met() ? Mark::good : Mark::bad) : Cell("-"),
+                              fmt::format("≤ {:g}", r.bar), fmt::format("{:g}", r.stretch), verdict_text(r)});
     }
     return table;
 }
@@ -48,7 +50,8 @@ Table stage_table(const SizeResult& size) {
 
 Table point_table(const std::vector<PointRow>& points) {
     Table table;
-    table.caption = "One search for up to three lines [µs], 50 hypotheses each";
+    table.caption =
+        fmt::format("One search for up to three lines [µs], {} hypotheses each", RansacParameters{}.attempts);
     table.columns = {"points", "ours", "25 %", "75 %", "literal", "25 %", "75 %", "ratio", "same consensus"};
     for (const PointRow& row : points) {
         table.rows.push_back({std::to_string(row.points), Cell(1e3 * row.ours.median, 2, Mark::strong),
@@ -91,6 +94,7 @@ void add_stages(HtmlPage& page, const StagesResult& stages, const std::filesyste
         page.table(stage_table(size));
         page.details("What each one is", [&](HtmlPage& inside) { inside.definitions(settings_of(size)); });
     }
+    for (const std::string& words : stages.left_out) page.paragraph("Not among them: " + words + ".");
     page.section("How it grows");
     std::vector<DrawnFigure> drawn;
     for (const SizeResult& size : stages.sizes)
@@ -125,6 +129,10 @@ void write_bench_report(const BenchResult& result, const std::filesystem::path& 
     if (result.stages) add_stages(page, *result.stages, folder.path());
     if (result.graph) {
         page.section("The graph of processes");
+        if (const Figure figure = latency_figure(*result.graph); !figure.series.empty())
+            page.figure(draw_figure(figure, folder.path(), "latency"),
+                        "Share of the frames whose posts were in a listener's hand by that age, on a "
+                        "logarithmic scale.");
         std::ostringstream text;
         result.graph->print(text);
         page.code(text.str());

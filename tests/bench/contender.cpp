@@ -1,7 +1,8 @@
 #include "tests/bench/contender.h"
 
+#include "tests/bench/graph/quantile.h"
+
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 #include <numeric>
 #include <utility>
@@ -9,18 +10,10 @@
 namespace goalmouth::bench {
 namespace {
 
-double now_ms(Clock clock) {
+double now_ms(StopwatchClock clock) {
     timespec now{};
-    ::clock_gettime(clock == Clock::wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &now);
+    ::clock_gettime(clock == StopwatchClock::wall ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &now);
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-/// Between the two nearest of sorted values.
-double quantile(const std::vector<double>& sorted, double share) {
-    const double place = share * static_cast<double>(sorted.size() - 1);
-    const auto low = static_cast<std::size_t>(place);
-    const std::size_t high = std::min(low + 1, sorted.size() - 1);
-    return std::lerp(sorted[low], sorted[high], place - static_cast<double>(low));
 }
 
 }  // namespace
@@ -40,7 +33,7 @@ Timing timing_of(std::string name, std::string label, std::vector<double> ms) {
     return timing;
 }
 
-Stopwatch::Stopwatch(Clock clock) : clock_(clock), last_(now_ms(clock)) {}
+Stopwatch::Stopwatch(StopwatchClock clock) : clock_(clock), last_(now_ms(clock)) {}
 
 double Stopwatch::lap() {
     const double now = now_ms(clock_);

@@ -55,16 +55,16 @@ Timing timing_of(std::string name, std::string label, std::vector<double> ms);
 /// What a stopwatch counts. The thread's own time leaves out what other programs take from it, which hits
 /// long work more than short; asking for it costs some tenths of a microsecond, too much for work of
 /// microseconds.
-enum class Clock { wall, thread };
+enum class StopwatchClock { wall, thread };
 
 /// Milliseconds since it was made or last asked.
 class Stopwatch {
   public:
-    explicit Stopwatch(Clock clock = Clock::wall);
+    explicit Stopwatch(StopwatchClock clock = StopwatchClock::wall);
     double lap();
 
   private:
-    Clock clock_;
+    StopwatchClock clock_;
     double last_;
 };
 

@@ -121,7 +121,7 @@ Contender naive_segments(const FrameSet& frames, const ColourTable& table, int s
                          "same segments bit by bit";
     contender.finds = "segments";
     contender.run = [state](std::size_t item, std::vector<double>&) {
-        state->last = segment_frame_naively(state->frames.view(item), state->table, state->layout);
+        segment_frame_naively(state->frames.view(item), state->table, state->layout, state->last);
     };
     contender.finding = [state] { return Finding{static_cast<double>(state->last.segments.size()), {}}; };
     return contender;

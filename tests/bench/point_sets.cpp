@@ -1,6 +1,7 @@
 #include "tests/bench/point_sets.h"
 
 #include "core/detection/line_search.h"
+#include "core/detection/ransac_parameters.h"
 #include "core/random/random.h"
 #include "tests/bench/rounds.h"
 #include "tests/reference/literal_ransac.h"
@@ -127,8 +128,8 @@ std::vector<PointRow> run_point_sets(const PointOptions& options) {
         contenders.push_back(searching(data, "ransac_search", our_search()));
         contenders.push_back(searching(data, "ransac_literal", literal_search()));
     }
-    const std::vector<Timing> timings =
-        run_rounds(contenders, turns, {options.repetitions, options.stop, options.step, Clock::wall});
+    const std::vector<Timing> timings = run_rounds(
+        contenders, turns, {options.repetitions, options.stop, options.step, StopwatchClock::wall});
     if (timings.empty()) return {};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i].ours = timings[2 * i];

@@ -6,7 +6,15 @@ namespace goalmouth::bench {
 
 Ratio time_ratio(std::string name, double ours_ms, std::string other, double other_ms, double bar,
                  double stretch) {
-    return {std::move(name), ours_ms, std::move(other), other_ms, ours_ms / other_ms, bar, stretch, {}};
+    Ratio row;
+    row.name = std::move(name);
+    row.ours_ms = ours_ms;
+    row.other = std::move(other);
+    row.other_ms = other_ms;
+    row.ratio = ours_ms / other_ms;
+    row.bar = bar;
+    row.stretch = stretch;
+    return row;
 }
 
 }  // namespace goalmouth::bench

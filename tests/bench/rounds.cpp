@@ -26,7 +26,7 @@ struct Record {
 };
 
 void time_turn(benchmark::State& state, const Contender& contender, std::size_t first, std::size_t items,
-               Clock clock, Record& record) {
+               StopwatchClock clock, Record& record) {
     std::vector<double> part_ms;
     contender.run((first + items - 1) % items, part_ms);
     std::size_t item = first;

@@ -29,10 +29,10 @@ struct Turns {
 Turns share_turns(std::size_t items, std::size_t block, std::size_t contenders);
 
 struct RoundOptions {
-    std::size_t repetitions = 1;  // of all items by each
-    std::function<bool()> stop;   // asked between turns
-    std::function<void()> step;   // after each turn
-    Clock clock = Clock::wall;    // of the whole; parts are the contenders' own business
+    std::size_t repetitions = 1;                  // of all items by each
+    std::function<bool()> stop;                   // asked between turns
+    std::function<void()> step;                   // after each turn
+    StopwatchClock clock = StopwatchClock::wall;  // of the whole; parts are the contenders' own business
 };
 
 /// Times every contender on every item by Google Benchmark, one turn after the other; before each turn the

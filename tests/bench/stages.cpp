@@ -5,10 +5,12 @@
 #include "tests/bench/others.h"
 #include "tests/bench/ours.h"
 #include "tests/reference/naive_segmentation.h"
+#include "tools/goalmouth/bench_options.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <stdexcept>
+#include <utility>
 
 namespace goalmouth::bench {
 namespace {
@@ -81,6 +83,7 @@ bool equal(const Segments& a, const Segments& b) {
 
 bool segments_agree(const FrameSet& frames, const ColourTable& table, const StageOptions& options) {
     Segmenter segmenter(table);
+    Segments plain;
     for (const int spacing : spacings) {
         ScanLineParameters parameters;
         parameters.row_spacing = spacing;
@@ -88,9 +91,8 @@ bool segments_agree(const FrameSet& frames, const ColourTable& table, const Stag
         const ScanLayout layout = image_layout(frames.width(), frames.height(), parameters);
         for (std::size_t i = 0; i < frames.different; ++i) {
             if (options.stop && options.stop()) return true;
-            if (!equal(segmenter.segment(frames.view(i), layout),
-                       segment_frame_naively(frames.view(i), table, layout)))
-                return false;
+            segment_frame_naively(frames.view(i), table, layout, plain);
+            if (!equal(segmenter.segment(frames.view(i), layout), plain)) return false;
         }
     }
     return true;
@@ -128,7 +130,13 @@ std::vector<Ratio> stage_ratios(const StagesResult& result) {
     const double posts = at.median(fmt::format("frame_to_posts_{}", judged_spacing));
     const auto add = [&](const char* name, double ours, const char* other, double bar, double stretch) {
         const StageRow& row = at.row(other);
-        ratios.push_back(time_ratio(name, ours, row.timing.label, row.timing.median, bar, stretch));
+        Ratio ratio = time_ratio(name, ours, row.timing.label, row.timing.median, bar, stretch);
+        ratio.size = fmt::format("{}x{}", at.size.width, at.size.height);
+        ratio.spacing = judged_spacing;
+        if (at.size != ImageSize{1600, 1200}) ratio.scope = "at " + ratio.size;
+        if (at.frames < static_cast<std::size_t>(least_frames))
+            ratio.scope += fmt::format("{}{}", ratio.scope.empty() ? "with " : ", ", not_cold_words());
+        ratios.push_back(std::move(ratio));
     };
     const std::string naive = fmt::format("naive_segments_{}", judged_spacing);
     add("scan + segments ÷ our naive version", segments, naive.c_str(), 0.33, 0.25);
@@ -143,6 +151,10 @@ std::vector<Ratio> stage_ratios(const StagesResult& result) {
     add("frame → posts ÷ Canny + HoughLinesP", posts, "canny_hough", 0.12, 0.08);
     add("frame → posts ÷ LSD", posts, "lsd", 0.025, 0.015);
     return ratios;
+}
+
+std::string not_cold_words() {
+    return fmt::format("fewer than {} frames: not cold", least_frames);
 }
 
 Turns stage_turns(std::size_t frames) {
@@ -174,8 +186,8 @@ std::optional<SizeResult> run_size(const FrameSet& frames, const ColourTable& ta
 
     std::vector<Contender> contenders;
     for (const Entry& entry : all) contenders.push_back(entry.contender);
-    const std::vector<Timing> timings =
-        run_rounds(contenders, turns, {options.repetitions, options.stop, options.step, Clock::thread});
+    const std::vector<Timing> timings = run_rounds(
+        contenders, turns, {options.repetitions, options.stop, options.step, StopwatchClock::thread});
     auto timing = timings.begin();
     if (timings.empty()) return std::nullopt;
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -50,7 +50,8 @@ struct StagesResult {
     std::vector<SizeResult> sizes;
     std::vector<PointRow> points;
     bool complete = false;
-    bool same_segments = true;  // naive and fast, on every frame that was compared
+    std::vector<std::string> left_out = {};  // others that could not take part, and why
+    bool same_segments = true;               // naive and fast, on every frame that was compared
 
     const SizeResult& largest() const;
     /// Whether every fast version gave what its plain version gives.
@@ -60,6 +61,9 @@ struct StagesResult {
 /// The rows of the acceptance table that are the stages', at the largest size. Of RANSAC the worst number of
 /// points up to largest_judged.
 std::vector<Ratio> stage_ratios(const StagesResult& result);
+
+/// For people, of a run whose frames do not push each other out of the caches.
+std::string not_cold_words();
 
 struct StageOptions {
     std::size_t repetitions = 1;

@@ -1,5 +1,8 @@
 #include "tests/bench/summary.h"
 
+#include "core/detection/ransac_parameters.h"
+#include "tools/goalmouth/bench_options.h"
+
 #include <fmt/format.h>
 #include <iterator>
 
@@ -72,15 +75,23 @@ std::string head_text(const BenchResult& result) {
 
 std::string size_text(const SizeResult& size) {
     std::string text = fmt::format(
-        "\n{}×{}: {} frames ({} different), {:.0f} MB, {}; one thread, medians over frames [ms]\n"
+        "\n{}×{}: {} frames ({} different), {:.0f} MB, {}; one thread, medians over frames [ms]{}\n"
         "    {:<33} {:>9} {:>9} {:>9} {:>9}   finds in a frame\n",
         size.size.width, size.size.height, size.frames, size.different,
-        1e-6 * static_cast<double>(size.bytes), size.source, "", "median", "least", "25 %", "75 %");
+        1e-6 * static_cast<double>(size.bytes), size.source,
+        size.frames < static_cast<std::size_t>(least_frames) ? "; " + not_cold_words() : "", "", "median",
+        "least", "25 %", "75 %");
     for (const Kind kind : {Kind::ours, Kind::plain, Kind::floor, Kind::other}) {
         text += fmt::format("  {}\n", heading(kind));
         for (const StageRow& row : size.rows)
             if (row.kind == kind || (kind == Kind::ours && row.kind == Kind::part)) text += row_text(row);
     }
+    return text;
+}
+
+std::string left_out_text(const StagesResult& stages) {
+    std::string text;
+    for (const std::string& words : stages.left_out) text += "\nNot among them: " + words + "\n";
     return text;
 }
 
@@ -102,20 +113,35 @@ std::string value_text(const Ratio& ratio, double value) {
 }
 
 std::string verdict_text(const Ratio& ratio) {
-    if (!ratio.met()) return "NOT MET";
-    return ratio.stretch_met() ? "met, stretch too" : "met";
+    if (!ratio.measured) return "not measured";
+    const std::string scope = ratio.scope.empty() ? "" : " " + ratio.scope;
+    if (!ratio.met()) return "NOT MET" + scope;
+    return (ratio.stretch_met() ? "met, stretch too" : "met") + scope;
 }
 
 std::string ratios_text(const std::vector<Ratio>& ratios) {
     if (ratios.empty()) return {};
-    std::string text = fmt::format("\n{:<50} {:>11} {:>11} {:>8} {:>7} {:>8}\n", "Promised, and measured",
+    const std::string conditions = conditions_text(ratios);
+    std::string text = fmt::format("\n{}{}\n{:<50} {:>11} {:>11} {:>8} {:>7} {:>8}\n",
+                                   "Promised, and measured", conditions.empty() ? "" : ": " + conditions, "",
                                    "ours", "other", "ratio", "bar", "stretch");
     for (const Ratio& r : ratios) {
-        text +=
-            fmt::format("{:<50} {:>11} {:>11} {:>8.3f} {:>7g} {:>8g}  {}\n", r.name, value_text(r, r.ours_ms),
-                        value_text(r, r.other_ms), r.ratio, r.bar, r.stretch, verdict_text(r));
+        const std::string ratio = r.measured ? fmt::format("{:.3f}", r.ratio) : "-";
+        text += fmt::format("{:<50} {:>11} {:>11} {:>8} {:>7g} {:>8g}  {}\n", r.name,
+                            r.measured ? value_text(r, r.ours_ms) : "-",
+                            r.measured ? value_text(r, r.other_ms) : "-", ratio, r.bar, r.stretch,
+                            verdict_text(r));
     }
+    for (const Ratio& r : ratios)
+        if (!r.note.empty()) text += fmt::format("  {}: {}\n", r.name, r.note);
     return text;
+}
+
+std::string conditions_text(const std::vector<Ratio>& ratios) {
+    for (const Ratio& r : ratios)
+        if (!r.size.empty() && r.spacing > 0)
+            return fmt::format("{}, scan-lines every {} px", r.size, r.spacing);
+    return {};
 }
 
 }  // namespace goalmouth::bench

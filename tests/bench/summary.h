@@ -30,6 +30,8 @@ struct BenchResult {
 std::string head_text(const BenchResult& result);
 /// What everybody took at one size.
 std::string size_text(const SizeResult& size);
+/// Who could not take part.
+std::string left_out_text(const StagesResult& stages);
 /// RANSAC over points.
 std::string points_text(const std::vector<PointRow>& points);
 /// Ours, other, ratio, bar, stretch, met or not.
@@ -37,6 +39,8 @@ std::string ratios_text(const std::vector<Ratio>& ratios);
 
 /// "0.812 ms", or what the row's unit says.
 std::string value_text(const Ratio& ratio, double value);
+/// What the rows have in common: "1600x1200, scan-lines every 8 px"; "" where nothing.
+std::string conditions_text(const std::vector<Ratio>& ratios);
 std::string verdict_text(const Ratio& ratio);
 
 nlohmann::ordered_json bench_json(const BenchResult& result);

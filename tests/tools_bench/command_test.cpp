@@ -62,6 +62,12 @@ TEST(BenchCommand, MeasuresTheStagesAndWritesEveryRow) {
               "--seed 5 --json " +
                   file.string() + " --report " + report.string());
     EXPECT_EQ(result["same_segments"], true);
+    EXPECT_TRUE(result.contains("left_out"));
+    EXPECT_EQ(result["ratios"][0]["size"], "320x240");
+    EXPECT_EQ(result["ratios"][0]["spacing"], 8);
+    EXPECT_THAT(result["ratios"][0]["verdict"],
+                AllOf(HasSubstr("at 320x240"), HasSubstr("fewer than 120 frames: not cold")));
+    EXPECT_THAT(ran.out, HasSubstr("Promised, and measured: 320x240, scan-lines every 8 px"));
 
     ASSERT_EQ(result["ratios"].size(), 6U);
     for (const json& ratio : result["ratios"]) {
@@ -151,6 +157,9 @@ TEST(BenchCommand, SaysWhatIsWrongAndExits2) {
         {"--images /nosuch/folder", "/nosuch/folder"},
         {"--images . --size 160x120", "--size"},
         {"--json /nosuch/folder/file.json", "--json"},
+        {"--simd AVX2", "--only stages"},
+        {"--simd AVX2 --only graph", "--only stages"},
+        {"--images . --scene flat", "--scene"},
         {"--sizes 640x480", "did you mean '--size'"}};
     for (const auto& [arguments, words] : mistakes) {
         const Ran ran = run(arguments);

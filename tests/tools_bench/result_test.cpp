@@ -1,3 +1,5 @@
+#include "core/detection/line_search.h"
+#include "core/detection/ransac_parameters.h"
 #include "core/random/random.h"
 #include "tests/bench/frames.h"
 #include "tests/bench/point_sets.h"
@@ -30,6 +32,7 @@ PointRow points(std::size_t count, double ours_ms, double literal_ms) {
 SizeResult size_result(ImageSize size, double factor) {
     SizeResult result;
     result.size = size;
+    result.frames = 120;
     for (const int spacing : spacings) {
         const std::string end = "_" + std::to_string(spacing);
         result.rows.push_back(row("segments" + end, factor * 8.0 / spacing));
@@ -108,6 +111,31 @@ TEST(StagesResult, IsUnsoundWhereAFastVersionDisagreesWithItsPlainOne) {
     result = stages_result();
     result.same_segments = false;
     EXPECT_FALSE(result.sound());
+}
+
+TEST(StageRatios, SayWhereTheyAreOfAnotherSizeOrOfFewFrames) {
+    StagesResult result = stages_result();
+    EXPECT_EQ(stage_ratios(result)[0].scope, "");
+    result.sizes[1].frames = 119;
+    EXPECT_EQ(stage_ratios(result)[0].scope, "with fewer than 120 frames: not cold");
+    result.sizes.resize(1);
+    EXPECT_EQ(stage_ratios(result)[0].scope, "at 640x480");
+    EXPECT_EQ(stage_ratios(result)[0].spacing, 8);
+}
+
+TEST(RatiosText, NamesRowsThatWereNotMeasured) {
+    Ratio row = time_ratio("row", 0.0, "other", 1.0, 0.2, 0.1);
+    row.measured = false;
+    EXPECT_FALSE(row.met());
+    EXPECT_THAT(ratios_text({row}), HasSubstr("not measured\n"));
+    BenchResult result;
+    result.graph.emplace();
+    const auto json = bench_json(result);
+    ASSERT_EQ(json["ratios"].size(), 3U);
+    for (const auto& each : json["ratios"]) {
+        EXPECT_TRUE(each["ratio"].is_null());
+        EXPECT_EQ(each["met"], false);
+    }
 }
 
 TEST(RatiosText, SaysWhatIsMet) {

@@ -61,9 +61,13 @@ void add_bench_options(CLI::App& app, BenchOptions& options) {
         ->check(CLI::Range(1, 1000).description(""))
         ->capture_default_str();
     app.add_option("--simd", options.simd,
-                   "our code as on a processor with no more than this, e.g. AVX2, SSE4, SSSE3")
+                   "with --only stages: our code as on a processor with no more than this, e.g. AVX2, SSE4, "
+                   "SSSE3")
         ->type_name("NAME");
-    app.add_option("--seconds", options.seconds, "of each way to run the graph [s]; the acceptance took 300")
+    app.add_option(
+           "--seconds", options.seconds,
+           "of the process graph [s], the acceptance takes 300; of what it is compared with the same, but "
+           "60 at most")
         ->check(positive_number())
         ->type_name("S")
         ->capture_default_str();
@@ -85,7 +89,8 @@ void add_bench_options(CLI::App& app, BenchOptions& options) {
         "  goalmouth bench --only stages --images photographs --colours hall.gmct\n"
         "  goalmouth bench --only graph --size 1600x1200 --seconds 300\n\n"
         "Exit code: 0 measured, whether promises are met or not; 1 something failed, or two versions of\n"
-        "the same disagreed; 2 the command line or a file is wrong; 130 interrupted.");
+        "the same disagreed; 2 the command line or a file is wrong, or the graph cannot have\n"
+        "a network of its own; 130 interrupted.");
 }
 
 std::vector<ImageSize> bench_sizes(const std::string& list) {
@@ -107,6 +112,9 @@ std::vector<ImageSize> bench_sizes(const std::string& list) {
 
 void check_bench_options(const BenchOptions& options) {
     bench_sizes(options.sizes);
+    if (!options.simd.empty() && options.graph())
+        throw ConfigurationError(
+            "--simd: restricts the stages alone, not the graph's processes; give --only stages with it");
     if (options.images.empty()) return;
     const BenchOptions defaults;
     if (options.sizes != defaults.sizes)

@@ -16,7 +16,7 @@ struct BenchOptions {
     std::string report;
     std::string only;  // "stages", "graph"; empty: both
     std::string sizes = "640x480,1600x1200";
-    int frames = 0;  // of memory at each size; 0: see default_frames
+    int frames = 0;  // of memory at each size; 0: least_frames, or more beyond the cache
     std::string images;
     std::string scene = "match";
     std::string field;
@@ -32,7 +32,7 @@ struct BenchOptions {
     bool graph() const { return only != "stages"; }
 };
 
-/// Frames of memory the issue of cold caches asks for at least, where none are given.
+/// Frames of memory that there must be at least for each to be out of the caches when its turn comes.
 inline constexpr int least_frames = 120;
 
 void add_bench_options(CLI::App& app, BenchOptions& options);

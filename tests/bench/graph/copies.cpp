@@ -12,4 +12,10 @@ double copies_per_frame(const std::map<std::string, double>& camera_counters) {
     return frames > 0.0 ? copied / frames : -1.0;
 }
 
+double per_frame(const std::map<std::string, double>& counters, const std::string& name,
+                 std::int64_t frames) {
+    const auto found = counters.find(name);
+    return found == counters.end() || frames <= 0 ? -1.0 : found->second / static_cast<double>(frames);
+}
+
 }  // namespace goalmouth::bench

@@ -3,6 +3,7 @@
 #include "core/messaging/channels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -43,7 +44,15 @@ std::optional<StageEntry> FrameJournal::latest(Stage stage) const {
     return latest_[static_cast<std::size_t>(stage)];
 }
 
-FrameJournal::Summary FrameJournal::summary(std::int64_t begin, std::int64_t end) const {
+std::int64_t FrameJournal::sent_until(Stage stage, std::int64_t utime) const {
+    const std::lock_guard lock(mutex_);
+    const auto& entries = entries_[static_cast<std::size_t>(stage)];
+    return std::count_if(entries.begin(), entries.end(),
+                         [&](const StageEntry& entry) { return entry.sent <= utime; });
+}
+
+FrameJournal::Summary FrameJournal::summary(std::int64_t begin, std::int64_t end,
+                                            double frames_per_second) const {
     const std::lock_guard lock(mutex_);
     std::array<std::map<std::int64_t, const StageEntry*>, stage_count> by_seq;
     std::optional<std::pair<std::int64_t, std::int64_t>> range;  // of seq
@@ -58,6 +67,9 @@ FrameJournal::Summary FrameJournal::summary(std::int64_t begin, std::int64_t end
     }
     Summary result;
     if (range) result.frames = range->second - range->first + 1;
+    const std::int64_t owed = std::llround(1e-6 * static_cast<double>(end - begin) * frames_per_second);
+    if (owed - result.frames > 1) result.not_sent = owed - result.frames;
+    result.frames += result.not_sent;
     for (std::size_t i = 0; i < stage_count; ++i) {
         StageResult stage;
         stage.channel = stage_channels[i];

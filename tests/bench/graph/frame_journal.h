@@ -37,15 +37,20 @@ class FrameJournal {
 
     /// The entry with the highest seq.
     std::optional<StageEntry> latest(Stage stage) const;
+    /// Messages sent up to then.
+    std::int64_t sent_until(Stage stage, std::int64_t utime) const;
 
     struct Summary {
-        std::int64_t frames = 0;
-        std::int64_t lost = 0;
+        std::int64_t frames = 0;    // that should have gone through
+        std::int64_t lost = 0;      // of these, without posts or without a pose
+        std::int64_t not_sent = 0;  // of these, never captured: the camera stood still or was slow
         std::vector<StageResult> stages;
     };
-    /// About the frames captured from `begin` on and before `end`: those of which anything was heard, and
-    /// those that the numbering says were between. A message that came twice counts once, as it came first.
-    Summary summary(std::int64_t begin, std::int64_t end) const;
+    /// About the frames captured from `begin` on and before `end`: those of which anything was heard, those
+    /// that the numbering says were between, and those that a camera of so many frames per second owes
+    /// beyond them (one more or less is where the edges fall). A message that came twice counts once, as it
+    /// came first.
+    Summary summary(std::int64_t begin, std::int64_t end, double frames_per_second) const;
 
   private:
     mutable std::mutex mutex_;

@@ -2,23 +2,21 @@
 
 #include "core/process/paths.h"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <fmt/format.h>
 #include <fstream>
 #include <stdexcept>
-#include <system_error>
 
 namespace goalmouth::bench {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int spacing = 8;  // px
-
 std::string quoted(const fs::path& path) {
     return nlohmann::json(path.string()).dump();  // which YAML takes as well
+}
+
+fs::path given_or(const fs::path& given, const char* otherwise) {
+    return given.empty() ? config_folder() / otherwise : fs::absolute(given);
 }
 
 std::string entry(const GraphBenchOptions& options, const std::string& name, const std::string& program) {
@@ -30,15 +28,14 @@ std::string entry(const GraphBenchOptions& options, const std::string& name, con
 }  // namespace
 
 std::string graph_text(const GraphBenchOptions& options, Pixels pixels) {
-    const fs::path config = config_folder();
     const bool ring = pixels == Pixels::ring;
     std::string text = "name: bench\n";
     text += fmt::format("seed: {}\n", options.seed);
     text += std::string("external: [") + (ring ? "" : "IMAGE, IMAGE_TAP, ") + "ODOMETRY, KINEMATICS]\n";
     text += "common:\n";
-    text += "  field: " + quoted(config / "fields" / "kidsize_2013.yaml") + "\n";
-    text += "  colours: " + quoted(config / "colours" / "simulator.gmct") + "\n";
-    if (ring) text += "  camera: " + quoted(config / "cameras" / "c905.yaml") + "\n";
+    text += "  field: " + quoted(field_file(options)) + "\n";
+    text += "  colours: " + quoted(colours_file(options)) + "\n";
+    if (ring && !options.assume_camera) text += "  camera: " + quoted(camera_file(options)) + "\n";
     text += "processes:\n";
     if (ring) {
         text += entry(options, "camera", "camera") + "    parameters:\n" +
@@ -51,25 +48,29 @@ std::string graph_text(const GraphBenchOptions& options, Pixels pixels) {
     text += entry(options, "segmentation", "segmentation") +
             fmt::format(
                 "    parameters:\n      scan_lines:\n        row_spacing: {0}\n        column_spacing: {0}\n",
-                spacing);
+                graph_spacing);
     text += entry(options, "extraction", "extraction");
     text += entry(options, "detection", "detection_ransac");
     text += entry(options, "localisation", "localisation");
     return text;
 }
 
-GraphFileOnDisk::GraphFileOnDisk(const std::string& text) {
-    std::string name = (fs::temp_directory_path() / "goalmouth-bench-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-        throw std::runtime_error("the folder " + fs::temp_directory_path().string() +
-                                 " cannot be written: " + std::strerror(errno));
-    folder_ = name;
-    std::ofstream(path()) << text;
+fs::path field_file(const GraphBenchOptions& options) {
+    return given_or(options.field, "fields/kidsize_2013.yaml");
 }
 
-GraphFileOnDisk::~GraphFileOnDisk() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
+fs::path colours_file(const GraphBenchOptions& options) {
+    return given_or(options.colours, "colours/simulator.gmct");
+}
+
+fs::path camera_file(const GraphBenchOptions& options) {
+    return given_or(options.camera, "cameras/c905.yaml");
+}
+
+GraphFileOnDisk::GraphFileOnDisk(const std::string& text) {
+    std::ofstream file(path());
+    if (!(file << text << std::flush))
+        throw std::runtime_error("the file " + path().string() + " cannot be written");
 }
 
 }  // namespace goalmouth::bench

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tests/bench/graph_bench.h"
+#include "tools/goalmouth/temporary_folder.h"
 
 #include <filesystem>
 #include <string>
@@ -17,17 +18,19 @@ enum class Pixels {
 /// extraction, detection by RANSAC, localisation.
 std::string graph_text(const GraphBenchOptions& options, Pixels pixels);
 
+/// Where the graph finds them: what the options name, or what is in config/.
+std::filesystem::path field_file(const GraphBenchOptions& options);
+std::filesystem::path colours_file(const GraphBenchOptions& options);
+std::filesystem::path camera_file(const GraphBenchOptions& options);
+
 /// The graph file in a folder of its own, removed with it.
 class GraphFileOnDisk {
   public:
     explicit GraphFileOnDisk(const std::string& text);
-    ~GraphFileOnDisk();
-    GraphFileOnDisk(const GraphFileOnDisk&) = delete;
-    GraphFileOnDisk& operator=(const GraphFileOnDisk&) = delete;
-    std::filesystem::path path() const { return folder_ / "bench.yaml"; }
+    std::filesystem::path path() const { return folder_.path() / "bench.yaml"; }
 
   private:
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
 };
 
 }  // namespace goalmouth::bench

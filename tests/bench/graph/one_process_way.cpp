@@ -17,9 +17,12 @@
 #include "tests/bench/graph/standing_robot.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <optional>
 #include <sys/prctl.h>
 #include <unistd.h>
+#include <utility>
 
 namespace goalmouth::bench {
 namespace {
@@ -104,7 +107,11 @@ class OneProcess {
         for (const auto& part : parts_) published += part->bus->counters().published;
         return published;
     }
-    const Status& camera() const { return parts_.front()->status; }
+    std::map<std::string, double> counters(const std::string& name) const {
+        for (const auto& part : parts_)
+            if (part->name == name) return part->status.counters();
+        return {};
+    }
 
   private:
     struct Part {
@@ -165,6 +172,7 @@ std::optional<WayResult> run_in_one_process(double seconds, const GraphBenchOpti
     WayResult result;
     result.key = "one_process";
     result.title = "the same modules in one process";
+    result.note = "its CPU includes the standing robot and the listener";
     result.seconds = 1e-6 * static_cast<double>(end - begin);
     cost.cpu = (cost.cpu + own_cpu_seconds()) / result.seconds;
     cost.dropped += run.dropped();
@@ -172,11 +180,14 @@ std::optional<WayResult> run_in_one_process(double seconds, const GraphBenchOpti
     cost.memory = process_memory(::getpid());
     result.processes.push_back(std::move(cost));
     if (!run_for(drain, false)) return std::nullopt;
-    const auto summary = run.journal().summary(begin, end);
+    const auto summary = run.journal().summary(begin, end, options.frames_per_second);
     result.frames = summary.frames;
     result.lost = summary.lost;
+    result.not_sent = summary.not_sent;
     result.stages = summary.stages;
-    result.copies = copies_per_frame(run.camera().counters());
+    result.copies = copies_per_frame(run.counters("camera"));
+    result.lines_left_out = per_frame(run.counters("segmentation"), "lines_left_out",
+                                      run.journal().sent_until(Stage::segments, now_utime()));
     return result;
 }
 

@@ -1,7 +1,5 @@
 #include "tests/bench/graph/pacing.h"
 
-#include "core/messaging/clock.h"
-
 #include <ctime>
 #include <fstream>
 #include <pthread.h>
@@ -34,10 +32,6 @@ void sleep_until(Clock::time_point when) {
     const timespec until{static_cast<time_t>(whole.count()),
                          static_cast<long>(std::chrono::nanoseconds(since_boot - whole).count())};
     clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
-}
-
-void sleep_until_utime(std::int64_t utime) {
-    sleep_until(Clock::now() + std::chrono::microseconds(utime - now_utime()));
 }
 
 double thread_cpu_seconds(std::thread& thread) {

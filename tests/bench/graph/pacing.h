@@ -2,7 +2,7 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdint>
+#include <sys/types.h>
 #include <thread>
 
 namespace goalmouth::bench {
@@ -23,9 +23,6 @@ using Clock = std::chrono::steady_clock;
 
 /// Sleeps until then, to the fraction of a millisecond.
 void sleep_until(Clock::time_point when);
-
-/// Sleeps until the clock of utime says `utime` [µs].
-void sleep_until_utime(std::int64_t utime);
 
 /// CPU time of a thread of this process, of the calling thread, and of another process; [s], 0 where it is
 /// gone.

@@ -2,10 +2,8 @@
 
 #include "core/imaging/calibration.h"
 #include "core/messaging/clock.h"
-#include "core/messaging/message_size.h"
 #include "core/process/configuration.h"
 #include "core/process/launcher.h"
-#include "core/process/paths.h"
 #include "tests/bench/graph/copies.h"
 #include "tests/bench/graph/frame_listener.h"
 #include "tests/bench/graph/pacing.h"
@@ -15,6 +13,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -49,6 +48,8 @@ class Run {
 
     /// Lets things happen for a moment. Throws where a process ends.
     void step() {
+        if (const std::string problem = sender_ ? sender_->failure() : ""; !problem.empty())
+            throw std::runtime_error("the benchmark's graph: sender: " + problem);
         for (const LauncherEvent& event : launcher_.poll(step_time)) {
             using Kind = LauncherEvent::Kind;
             const std::string who =
@@ -69,9 +70,10 @@ class Run {
     }
 
     void send_raw_frames() {
-        const auto file = config_folder() / "cameras" / "c905.yaml";
-        const auto camera =
-            calibration_for(load_parameters<Intrinsics>(file), options_.width, options_.height);
+        std::optional<Intrinsics> camera;
+        if (!options_.assume_camera)
+            camera = calibration_for(load_parameters<Intrinsics>(camera_file(options_)), options_.width,
+                                     options_.height);
         sender_ =
             std::make_unique<RawSender>(way_.lcm_url, options_.frames_folder,
                                         camera.value_or(assumed_camera(options_.width, options_.height)),
@@ -100,6 +102,16 @@ class Run {
             for (const counter_t& counter : process.status->counters) counters[counter.name] = counter.value;
         }
         return counters;
+    }
+
+    /// Scan-lines of each frame that segmentation left out, by its last STATUS.
+    double lines_left_out() const {
+        for (const ProcessReport& process : launcher_.processes()) {
+            if (process.name == "segmentation" && process.status)
+                return per_frame(counters(process.name), "lines_left_out",
+                                 journal_.sent_until(Stage::segments, process.status->utime));
+        }
+        return -1.0;
     }
 
     /// Who takes part, upstream first.
@@ -175,11 +187,6 @@ std::vector<ProcessResult> costs(const std::map<std::string, Usage>& before,
     return results;
 }
 
-int granted_receive_buffer(const std::string& url) {
-    const ReceiveBuffers buffers = receive_buffers();
-    return static_cast<int>(url.find("recv_buf_size") == std::string::npos ? buffers.usual : buffers.largest);
-}
-
 }  // namespace
 
 std::optional<WayResult> run_processes(const ProcessWay& way, const GraphBenchOptions& options,
@@ -221,6 +228,7 @@ std::optional<WayResult> run_processes(const ProcessWay& way, const GraphBenchOp
     const auto after = run.usage();
     const auto memory = run.memory();
     result.copies = copies_per_frame(run.counters("camera"));
+    result.lines_left_out = run.lines_left_out();
     step_until(
         run, [] { return false; }, notice_time, go_on);
     const std::int64_t last = run.latest_seq(Stage::image);
@@ -228,11 +236,13 @@ std::optional<WayResult> run_processes(const ProcessWay& way, const GraphBenchOp
         run, [&] { return run.latest_seq(Stage::pose) >= last; }, longest_drain, go_on);
 
     result.seconds = 1e-6 * static_cast<double>(end - begin);
-    const auto summary = run.journal().summary(begin, end);
+    const auto summary = run.journal().summary(begin, end, options.frames_per_second);
     result.frames = summary.frames;
     result.lost = summary.lost;
+    result.not_sent = summary.not_sent;
     result.stages = summary.stages;
-    result.receive_buffer = granted_receive_buffer(way.lcm_url);
+    result.receive_buffer = way.receive_buffer;
+    result.note = way.note;
     result.processes = costs(before, after, memory, run.names(), result.seconds);
     return result;
 }

@@ -2,6 +2,7 @@
 
 #include "tests/bench/graph/graph_text.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -15,7 +16,9 @@ struct ProcessWay {
     std::string title;
     Pixels pixels = Pixels::ring;
     std::string lcm_url;
-    double seconds = 0.0;  // to measure
+    double seconds = 0.0;    // to measure
+    int receive_buffer = 0;  // bytes the kernel grants each receiving socket
+    std::string note = {};
 };
 
 /// Runs the graph's real processes at the camera's pace and measures, once every process has reported and a

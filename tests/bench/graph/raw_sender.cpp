@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <memory>
 #include <stdexcept>
 
 #include <lcm/lcm-cpp.hpp>
@@ -58,12 +57,22 @@ double RawSender::cpu_seconds() {
     return thread_cpu_seconds(thread_);
 }
 
+std::string RawSender::failure() const {
+    const std::lock_guard lock(mutex_);
+    return failure_;
+}
+
 void RawSender::run() {
     const auto start = Clock::now();
     const FrameClock clock(now_utime(), frames_per_second_);
     for (std::int64_t seq = 0; !stop_; ++seq) {
-        std::ifstream file(files_[static_cast<std::size_t>(seq) % files_.size()], std::ios::binary);
-        file.read(reinterpret_cast<char*>(message_.data.data()), message_.size);
+        const std::filesystem::path& name = files_[static_cast<std::size_t>(seq) % files_.size()];
+        std::ifstream file(name, std::ios::binary);
+        if (!file.read(reinterpret_cast<char*>(message_.data.data()), message_.size)) {
+            const std::lock_guard lock(mutex_);
+            failure_ = name.string() + " cannot be read, or is shorter than a frame";
+            return;
+        }
         message_.seq = seq;
         message_.utime = clock.utime(seq);
         sleep_until(start + clock.after_start(seq));

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -31,6 +32,8 @@ class RawSender {
 
     /// Of its thread [s].
     double cpu_seconds();
+    /// "" or why it sends no more.
+    std::string failure() const;
 
   private:
     void run();
@@ -40,6 +43,8 @@ class RawSender {
     FrameJournal& journal_;
     std::unique_ptr<lcm::LCM> lcm_;
     image_t message_{};
+    mutable std::mutex mutex_;
+    std::string failure_;
     std::atomic<bool> stop_{false};
     std::thread thread_;
 };

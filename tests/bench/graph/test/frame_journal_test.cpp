@@ -15,9 +15,9 @@ void note(FrameJournal& journal, Stage stage, std::int64_t seq, std::int64_t age
 
 TEST(Latency, QuantilesAreOfTheSample) {
     const Latency latency({30.0, 10.0, 20.0, 40.0});
-    EXPECT_EQ(latency.p50(), 20.0);
+    EXPECT_EQ(latency.p50(), 25.0);
     EXPECT_EQ(latency.quantile(0.0), 10.0);
-    EXPECT_EQ(latency.quantile(0.51), 30.0);
+    EXPECT_EQ(latency.quantile(1.0 / 3.0), 20.0);
     EXPECT_EQ(latency.max(), 40.0);
     EXPECT_EQ(Latency().p50(), 0.0);
 }
@@ -29,7 +29,7 @@ TEST(FrameJournal, CountsFramesOfTheWindowAndWhatIsMissing) {
         if (seq != 7) note(journal, Stage::posts, seq, 100);
         if (seq != 7 && seq != 9) note(journal, Stage::pose, seq, 200);
     }
-    const auto summary = journal.summary(5 * second, 15 * second);
+    const auto summary = journal.summary(5 * second, 15 * second, 1.0);
     EXPECT_EQ(summary.frames, 10);
     EXPECT_EQ(summary.lost, 2);
     ASSERT_EQ(summary.stages.size(), stage_count);
@@ -47,10 +47,47 @@ TEST(FrameJournal, FramesNobodyHeardOfAreLost) {
     for (const std::int64_t seq : {1, 2, 5, 6}) {
         for (const Stage stage : {Stage::image, Stage::posts, Stage::pose}) note(journal, stage, seq, 10);
     }
-    const auto summary = journal.summary(0, 100 * second);
+    const auto summary = journal.summary(second, 7 * second, 1.0);
     EXPECT_EQ(summary.frames, 6);
+    EXPECT_EQ(summary.not_sent, 0);
     EXPECT_EQ(summary.lost, 2);
     EXPECT_EQ(summary.stages[0].lost, 2);
+}
+
+TEST(FrameJournal, FramesThatACameraOwesAreLostWhenItStopsHalfWay) {
+    FrameJournal journal;
+    for (std::int64_t seq = 0; seq < 10; ++seq) {
+        for (const Stage stage : {Stage::image, Stage::posts, Stage::pose}) note(journal, stage, seq, 10);
+    }
+    const auto summary = journal.summary(0, 20 * second, 1.0);
+    EXPECT_EQ(summary.frames, 20);
+    EXPECT_EQ(summary.not_sent, 10);
+    EXPECT_EQ(summary.lost, 10);
+    EXPECT_EQ(summary.stages[0].lost, 10);
+    EXPECT_EQ(journal.summary(0, 20 * second, 2.0).lost, 30) << "a camera at half its rate";
+    const auto silent = journal.summary(50 * second, 60 * second, 1.0);
+    EXPECT_EQ(silent.frames, 10);
+    EXPECT_EQ(silent.lost, 10);
+}
+
+TEST(FrameJournal, OneFrameMoreOrLessIsWhereTheEdgesFall) {
+    FrameJournal journal;
+    for (std::int64_t seq = 0; seq < 10; ++seq) {
+        for (const Stage stage : {Stage::image, Stage::posts, Stage::pose}) note(journal, stage, seq, 10);
+    }
+    for (const std::int64_t end : {9, 10, 11}) {
+        const auto summary = journal.summary(0, end * second, 1.0);
+        EXPECT_EQ(summary.lost, 0) << end;
+        EXPECT_EQ(summary.not_sent, 0) << end;
+    }
+    EXPECT_EQ(journal.summary(0, 12 * second, 1.0).lost, 2);
+}
+
+TEST(FrameJournal, CountsWhatWasSentUpToAMoment) {
+    FrameJournal journal;
+    for (const std::int64_t seq : {1, 2, 3}) note(journal, Stage::segments, seq, 10);
+    EXPECT_EQ(journal.sent_until(Stage::segments, 2 * second + 5), 2);
+    EXPECT_EQ(journal.sent_until(Stage::posts, 9 * second), 0);
 }
 
 TEST(FrameJournal, AMessageThatComesTwiceCountsOnce) {
@@ -58,7 +95,7 @@ TEST(FrameJournal, AMessageThatComesTwiceCountsOnce) {
     for (const std::int64_t age : {10, 500}) {
         for (const Stage stage : {Stage::image, Stage::posts, Stage::pose}) note(journal, stage, 3, age);
     }
-    const auto summary = journal.summary(0, 100 * second);
+    const auto summary = journal.summary(3 * second, 4 * second, 1.0);
     EXPECT_EQ(summary.frames, 1);
     EXPECT_EQ(summary.lost, 0);
     EXPECT_THAT(summary.stages[3].heard.ages, testing::ElementsAre(10.0));

@@ -8,6 +8,7 @@
 #include "tests/support/network.h"
 #include "tests/support/post_scene.h"
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -87,7 +88,26 @@ TEST_F(GraphBench, EveryWayIsMeasuredAndAddsUp) {
     }
     EXPECT_EQ(result.way("messages")->processes.front().name, "sender");
     EXPECT_GE(result.way("messages_large_buffer")->receive_buffer, result.way("messages")->receive_buffer);
-    EXPECT_GE(result.ratios().size(), 2U);
+    for (const WayResult* way : {graph, alone}) {
+        EXPECT_EQ(way->copies, 0.0) << way->key;
+        EXPECT_GE(way->lines_left_out, 0.0) << way->key;
+    }
+    EXPECT_GE(static_cast<double>(alone->frames),
+              std::floor(options_.seconds * options_.frames_per_second) - 2.0);
+    EXPECT_EQ(alone->not_sent, 0);
+    for (const char* key : {"messages", "messages_large_buffer"}) {
+        const WayResult* way = result.way(key);
+        EXPECT_THAT(way->title, testing::HasSubstr(std::to_string(way->receive_buffer) + " bytes"));
+    }
+
+    const auto rows = result.ratios();
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[0].name, "frames lost, 640x480, 30 fps, 5 processes");
+    EXPECT_EQ(rows[0].other_ms, static_cast<double>(graph->frames));
+    EXPECT_EQ(rows[1].name, "capture-to-posts p50, process graph ÷ one process");
+    EXPECT_GT(rows[1].ratio, 0.0);
+    EXPECT_EQ(rows[2].name, "copies of a frame between driver and detector");
+    for (const Ratio& row : rows) EXPECT_TRUE(row.measured) << row.name;
 }
 
 TEST_F(GraphBench, EndsWhenAsked) {
@@ -97,11 +117,12 @@ TEST_F(GraphBench, EndsWhenAsked) {
     const auto result = run_graph_bench(options_, {});
     EXPECT_FALSE(result.complete);
     EXPECT_THAT(result.ways, testing::IsEmpty());
-    EXPECT_THAT(result.ratios(), testing::IsEmpty());
+    for (const Ratio& row : result.ratios()) EXPECT_FALSE(row.met()) << row.name;
 }
 
 TEST_F(GraphBench, ProgramsThatAreNotThereAreTheUsersToMend) {
     options_.programs_folder = folder_.path();
+    EXPECT_THROW(check_graph_bench(options_), ConfigurationError);
     EXPECT_THROW(run_graph_bench(options_, {}), ConfigurationError);
 }
 
