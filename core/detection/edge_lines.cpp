@@ -5,8 +5,13 @@
 namespace goalmouth {
 
 EdgeLine edge_line(const Line& line, std::span<const Eigen::Vector2d> consensus) {
-    return {segment_on_line(line, consensus), static_cast<int>(consensus.size()),
-            std::sqrt(mean_square_distance(line, consensus))};
+    double squares = 0.0;
+    for (const auto& p : consensus) {
+        const double distance = line.signed_distance(p);
+        squares += distance * distance;
+    }
+    const double count = static_cast<double>(consensus.size());
+    return {segment_on_line(line, consensus), static_cast<int>(consensus.size()), std::sqrt(squares / count)};
 }
 
 }  // namespace goalmouth

@@ -31,62 +31,29 @@ std::optional<Line> line_through(const Eigen::Vector2d& a, const Eigen::Vector2d
     return line_with_normal({along.y(), -along.x()}, a);
 }
 
-namespace {
-
-/// Sums over points are kept in so many parts, so that an addition need not wait for the one before it.
-constexpr std::size_t parts = 4;
-
-/// Σ value(p) for a value of several numbers.
-template <std::size_t count, class Value>
-std::array<double, count> sum_over(std::span<const Eigen::Vector2d> points, Value value) {
-    std::array<std::array<double, parts>, count> sums{};
-    const auto add = [&](std::size_t part, const Eigen::Vector2d& p) {
-        const std::array<double, count> values = value(p);
-        for (std::size_t k = 0; k < count; ++k) sums[k][part] += values[k];
-    };
-    std::size_t i = 0;
-    for (; i + parts <= points.size(); i += parts)
-        for (std::size_t part = 0; part < parts; ++part) add(part, points[i + part]);
-    for (; i < points.size(); ++i) add(0, points[i]);
-    std::array<double, count> total;
-    for (std::size_t k = 0; k < count; ++k) total[k] = (sums[k][0] + sums[k][1]) + (sums[k][2] + sums[k][3]);
-    return total;
-}
-
-}  // namespace
-
 std::optional<Line> fit_line(std::span<const Eigen::Vector2d> points) {
     if (points.size() < 2) return std::nullopt;
-    const auto count = static_cast<double>(points.size());
-    const auto [x, y] = sum_over<2>(points, [](const Eigen::Vector2d& p) {
-        return std::array{p.x(), p.y()};
-    });
-    const Eigen::Vector2d mean(x / count, y / count);
-    const auto [xx, xy, yy] = sum_over<3>(points, [&](const Eigen::Vector2d& p) {
-        const Eigen::Vector2d q = p - mean;
-        return std::array{q.x() * q.x(), q.x() * q.y(), q.y() * q.y()};
-    });
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const auto& p : points) mean += p;
+    mean /= static_cast<double>(points.size());
 
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
+    for (const auto& p : points) {
+        const Eigen::Vector2d q = p - mean;
+        xx += q.x() * q.x();
+        xy += q.x() * q.y();
+        yy += q.y() * q.y();
+    }
     // The scatter's axes differ by `spread`; rounding alone leaves about 1e-16 of the coordinates' squares.
-    const double difference = xx - yy;
-    const double spread = std::sqrt(difference * difference + 4.0 * xy * xy);
-    const double rounding = 1e-13 * (mean.squaredNorm() + 1.0) * count;
+    const double spread = std::hypot(xx - yy, 2.0 * xy);
+    const double rounding = 1e-13 * (mean.squaredNorm() + 1.0) * static_cast<double>(points.size());
     if (spread <= rounding) return std::nullopt;
 
-    // Along the larger eigenvector of the scatter matrix, at half the angle of (xx − yy, 2 xy); of the half
-    // angle's two forms the one without a difference of equals.
-    const Eigen::Vector2d along = difference >= 0.0 ? Eigen::Vector2d(spread + difference, 2.0 * xy)
-                                                    : Eigen::Vector2d(2.0 * xy, spread - difference);
-    return line_with_normal({-along.y(), along.x()}, mean);
-}
-
-double mean_square_distance(const Line& line, std::span<const Eigen::Vector2d> points) {
-    assert(!points.empty());
-    const auto [squares] = sum_over<1>(points, [&](const Eigen::Vector2d& p) {
-        const double distance = line.signed_distance(p);
-        return std::array{distance * distance};
-    });
-    return squares / static_cast<double>(points.size());
+    // Direction of the larger eigenvector of the scatter matrix.
+    const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
+    return line_with_normal({-std::sin(angle), std::cos(angle)}, mean);
 }
 
 double acute_angle(const Line& a, const Line& b) {

@@ -43,9 +43,6 @@ std::optional<Line> line_through(const Eigen::Vector2d& a, const Eigen::Vector2d
 /// different points, and nothing where no direction is better than another (a square's corners).
 std::optional<Line> fit_line(std::span<const Eigen::Vector2d> points);
 
-/// Mean of the squared distances [px²] of one point or more from a line.
-double mean_square_distance(const Line& line, std::span<const Eigen::Vector2d> points);
-
 /// Angle between two lines, 0 … π/2 [rad].
 double acute_angle(const Line& a, const Line& b);
 
