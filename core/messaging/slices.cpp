@@ -8,7 +8,8 @@ namespace {
 
 using std::chrono::microseconds;
 
-constexpr microseconds usual_interval{33'333};  // until two images are known
+constexpr microseconds usual_interval{33'333};  // until two images are known …
+constexpr double bytes_per_microsecond = 10.0;  // … and no faster than this: 20 ms of it fill a stock buffer
 constexpr microseconds shortest_interval{2'000};
 constexpr microseconds longest_interval{200'000};  // a lone image need not dawdle
 constexpr double share_of_interval = 0.9;          // the rest is for the sender's own delays
@@ -23,6 +24,11 @@ constexpr std::chrono::seconds impatience{1};
 constexpr std::size_t images_of_a_camera = 2;
 constexpr std::size_t images_in_all = 8;
 constexpr std::size_t most_reserved = std::size_t{16} << 20;
+
+microseconds guessed_interval(std::size_t bytes) {
+    const microseconds gentle(static_cast<std::int64_t>(static_cast<double>(bytes) / bytes_per_microsecond));
+    return std::clamp(gentle, usual_interval, longest_interval);
+}
 
 }  // namespace
 
@@ -39,6 +45,16 @@ microseconds SlicePacer::gap(const Encoded& image) const {
     return std::chrono::duration_cast<microseconds>(image.interval * share_of_interval) / slices(image);
 }
 
+/// The rest of an image that was begun before it was known how fast they come.
+void SlicePacer::hurry_up_to(microseconds interval) {
+    Encoded& image = images_.front();
+    if (image.interval_known || image.interval <= interval) return;
+    const microseconds gone = next_slice_ * gap(image);
+    image.interval = interval;
+    image.interval_known = true;
+    image.start += gone - next_slice_ * gap(image);
+}
+
 void SlicePacer::offer(const image_t& self_contained, Time now) {
     Encoded image;
     image.utime = self_contained.utime;
@@ -46,11 +62,15 @@ void SlicePacer::offer(const image_t& self_contained, Time now) {
     image.camera = self_contained.camera;
     image.bytes.resize(static_cast<std::size_t>(self_contained.getEncodedSize()));
     self_contained.encode(image.bytes.data(), 0, static_cast<int>(image.bytes.size()));
-    const bool steady = last_utime_ && self_contained.utime > *last_utime_;
-    image.interval = steady ? std::clamp(microseconds(self_contained.utime - *last_utime_), shortest_interval,
-                                         longest_interval)
-                            : usual_interval;
     image.start = now;
+    image.interval_known = last_utime_ && self_contained.utime > *last_utime_;
+    if (image.interval_known) {
+        image.interval = std::clamp(microseconds(self_contained.utime - *last_utime_), shortest_interval,
+                                    longest_interval);
+        if (!images_.empty()) hurry_up_to(image.interval);
+    } else {
+        image.interval = guessed_interval(image.bytes.size());
+    }
     last_utime_ = self_contained.utime;
 
     if (images_.size() == 1 + most_waiting) {

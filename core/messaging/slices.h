@@ -14,9 +14,10 @@ namespace goalmouth {
 
 /// Cuts self-contained images into slices and says when each is due: evenly over most of the frame interval,
 /// because whoever listens through a stock 208 KiB socket buffer holds a dozen milliseconds of raw video at
-/// most (DESIGN, section 3). Where listeners are behind it waits for them, for 50 ms at most: then they are
-/// taken to be stuck, and left to themselves for a second. Time is the caller's. One image is sent, up to
-/// eight wait; a further one replaces the last that waits.
+/// most (DESIGN, section 3). How long that is shows with the second image; the first is sent at leisure.
+/// Where listeners are behind it waits for them, for 50 ms at most: then they are taken to be stuck, and left
+/// to themselves for a second. Time is the caller's. One image is sent, up to eight wait; a further one
+/// replaces the last that waits.
 class SlicePacer {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -42,8 +43,10 @@ class SlicePacer {
         std::string camera;
         std::vector<std::uint8_t> bytes;
         std::chrono::microseconds interval{0};  // to send it in
+        bool interval_known = false;
         Time start;
     };
+    void hurry_up_to(std::chrono::microseconds interval);
     std::int32_t slices(const Encoded& image) const;
     std::chrono::microseconds gap(const Encoded& image) const;
     Time time_of_next() const;

@@ -96,6 +96,49 @@ TEST(Slices, ALateSenderCatchesUpWithoutABurst) {
     EXPECT_LT(now - start, 17ms);
 }
 
+/// Times of the slices of everything that waits, from now on.
+std::vector<Time> send_all(SlicePacer& pacer, Time& now) {
+    std::vector<Time> times;
+    while (const auto wait = pacer.next_due(now)) {
+        now += *wait;
+        if (pacer.due(now)) times.push_back(now);
+    }
+    return times;
+}
+
+TEST(Slices, OfALargeFirstImageComeNoFasterThanStockBuffersBear) {
+    for (const auto& [width, height, least] : {std::tuple{640, 480, 50ms}, std::tuple{1600, 1200, 170ms}}) {
+        SlicePacer pacer(32000);
+        Time now;
+        const Time start = now;
+        pacer.offer(image_of(width, height, 0), now);
+        const auto times = send_all(pacer, now);
+        EXPECT_GT(times.back() - start, least);
+        EXPECT_LT(times.back() - start, 200ms);
+        for (std::size_t i = 1; i < times.size(); ++i) EXPECT_GT(times[i] - times[i - 1], 1ms);
+    }
+}
+
+TEST(Slices, OfALargeFirstImageHurryUpOnceTheRateOfImagesIsKnown) {
+    SlicePacer pacer(32000);
+    Time now;
+    const Time start = now;
+    pacer.offer(image_of(640, 480, 0), now);
+    std::vector<Time> times;
+    while (now - start < 33ms) {
+        if (pacer.due(now)) times.push_back(now);
+        now += *pacer.next_due(now);
+    }
+    pacer.offer(image_of(640, 480, 1), start + 33333us);
+    now = start + 33333us;
+    const auto rest = send_all(pacer, now);
+    times.insert(times.end(), rest.begin(), rest.end());
+    ASSERT_EQ(times.size(), 40U);
+    EXPECT_LT(times[19] - start, 50ms);
+    EXPECT_LT(times[39] - start, 75ms);
+    for (std::size_t i = 1; i < times.size(); ++i) EXPECT_GT(times[i] - times[i - 1], 700us);
+}
+
 TEST(Slices, EightImagesWaitAndAFurtherOneReplacesTheLast) {
     SlicePacer pacer(1000);
     Time now;
