@@ -1,11 +1,11 @@
 #include "core/messaging/lcm_bus.h"
 
 #include "core/messaging/multicast.h"
+#include "core/messaging/signals_blocked.h"
 
 #include <algorithm>
 #include <cctype>
 #include <poll.h>
-#include <signal.h>
 #include <stdexcept>
 
 #include <lcm/lcm-cpp.hpp>
@@ -18,23 +18,6 @@ constexpr int queue_capacity = 1000;  // messages of one subscription; a raw 640
 constexpr int messages_per_dispatch = 1000;
 constexpr const char* self_test_channel = "LCM_SELF_TEST";  // each LCM that starts to listen sends one
 constexpr std::chrono::milliseconds time_per_dispatch{50};
-
-/// LCM starts threads of its own; a signal must interrupt the thread that dispatches, so theirs are started
-/// with all blocked.
-class SignalsBlocked {
-  public:
-    SignalsBlocked() {
-        sigset_t all;
-        sigfillset(&all);
-        pthread_sigmask(SIG_SETMASK, &all, &before_);
-    }
-    ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-    SignalsBlocked(const SignalsBlocked&) = delete;
-    SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
-  private:
-    sigset_t before_{};
-};
 
 void check_name(const std::string& channel) {
     if (channel.empty() || channel.size() > LCM_MAX_CHANNEL_NAME_LENGTH) {
@@ -76,7 +59,7 @@ struct LcmBus::Receiver {
 LcmBus::LcmBus(const std::string& url) : port_(udp_port(url)), sizes_(size_limits(url)) {
     const std::string name = url.empty() ? "LCM's default URL" : "LCM URL \"" + url + "\"";
     if (!multicast_works(url)) throw std::runtime_error(name + ": " + multicast_advice());
-    const SignalsBlocked blocked;
+    const SignalsBlocked blocked;  // a signal must interrupt the thread that dispatches
     lcm_ = std::make_unique<lcm::LCM>(url);
     if (!lcm_->good()) {
         throw std::runtime_error(name +

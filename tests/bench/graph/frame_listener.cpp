@@ -1,7 +1,7 @@
 #include "tests/bench/graph/frame_listener.h"
 
 #include "core/messaging/clock.h"
-#include "tests/bench/graph/pacing.h"
+#include "core/messaging/signals_blocked.h"
 
 #include <stdexcept>
 

@@ -16,16 +16,6 @@ double seconds_on(clockid_t clock) {
 
 }  // namespace
 
-SignalsBlocked::SignalsBlocked() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before_);
-}
-
-SignalsBlocked::~SignalsBlocked() {
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-}
-
 void sleep_until(Clock::time_point when) {
     const auto since_boot = when.time_since_epoch();
     const auto whole = std::chrono::floor<std::chrono::seconds>(since_boot);

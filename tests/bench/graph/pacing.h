@@ -1,23 +1,10 @@
 #pragma once
 
 #include <chrono>
-#include <csignal>
 #include <sys/types.h>
 #include <thread>
 
 namespace goalmouth::bench {
-
-/// Threads made while it lives leave signals to the thread that waits for them.
-class SignalsBlocked {
-  public:
-    SignalsBlocked();
-    ~SignalsBlocked();
-    SignalsBlocked(const SignalsBlocked&) = delete;
-    SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
-  private:
-    sigset_t before_{};
-};
 
 using Clock = std::chrono::steady_clock;
 

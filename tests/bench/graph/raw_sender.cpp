@@ -6,6 +6,8 @@
 #include "core/imaging/yuyv.h"
 #include "core/messaging/channels.h"
 #include "core/messaging/clock.h"
+#include "core/messaging/image_output.h"
+#include "core/messaging/signals_blocked.h"
 #include "tests/bench/graph/pacing.h"
 
 #include <algorithm>
@@ -32,16 +34,10 @@ std::vector<std::filesystem::path> raw_images(const std::filesystem::path& folde
 RawSender::RawSender(const std::string& lcm_url, const std::filesystem::path& folder,
                      const Intrinsics& camera, double frames_per_second, FrameJournal& journal)
     : files_(raw_images(folder)), frames_per_second_(frames_per_second), journal_(journal) {
-    message_.camera = "camera";
-    message_.intrinsics = to_message(camera);
-    message_.width = camera.width;
-    message_.height = camera.height;
-    message_.row_stride = yuyv_row_bytes(camera.width);
-    message_.encoding = "yuyv";
-    message_.slot = -1;
-    message_.generation = -1;
-    message_.size = message_.data_size = message_.row_stride * message_.height;
-    message_.data.resize(static_cast<std::size_t>(message_.size));
+    const YuyvImage blank(camera.width, camera.height);
+    FrameInfo info;
+    info.intrinsics = to_message(camera);
+    message_ = self_contained_yuyv(info, "camera", blank.view());
     const SignalsBlocked blocked;
     lcm_ = std::make_unique<lcm::LCM>(lcm_url);
     if (!lcm_->good()) throw std::runtime_error("LCM cannot use the URL " + lcm_url);

@@ -5,6 +5,7 @@
 #include "core/messaging/channels.h"
 #include "core/messaging/clock.h"
 #include "core/messaging/lcm_bus.h"
+#include "core/messaging/signals_blocked.h"
 #include "core/messaging/typed.h"
 
 #include <goalmouth/kinematics_t.hpp>
