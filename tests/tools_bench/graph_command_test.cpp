@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <sys/wait.h>
 #include <thread>
@@ -72,8 +73,9 @@ class GraphCommand : public testing::Test {
         return names;
     }
 
-    /// Whether a process but the benchmark itself has the run's folder for temporary files.
-    bool module_runs(pid_t bench) const {
+    /// The run's segmentation at work, not one that describes itself: a process but the benchmark itself with
+    /// the run's folder for temporary files.
+    std::optional<pid_t> module(pid_t bench) const {
         std::error_code ignored;
         for (const auto& entry : fs::directory_iterator("/proc", ignored)) {
             const std::string name = entry.path().filename().string();
@@ -84,9 +86,21 @@ class GraphCommand : public testing::Test {
             if (text.find("TMPDIR=" + temporary().string()) == std::string::npos) continue;
             std::ifstream name_file(entry.path() / "comm");
             std::string program;
-            if (name_file >> program && program == "segmentation") return true;
+            if (!(name_file >> program) || program != "segmentation") continue;
+            std::ifstream words(entry.path() / "cmdline", std::ios::binary);
+            const std::string command{std::istreambuf_iterator<char>(words), {}};
+            if (command.find("--describe") == std::string::npos) return std::stoi(name);
         }
-        return false;
+        return std::nullopt;
+    }
+
+    std::optional<pid_t> wait_for_module(pid_t bench) const {
+        const auto end = std::chrono::steady_clock::now() + patience;
+        for (;;) {
+            const auto found = module(bench);
+            if (found || std::chrono::steady_clock::now() >= end) return found;
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        }
     }
 
     test::TemporaryFolder folder_;
@@ -110,15 +124,30 @@ TEST_F(GraphCommand, MeasuresAndWritesTheThreeRows) {
 
 TEST_F(GraphCommand, CtrlCEndsItWithoutAnythingLeft) {
     const pid_t bench = start("600");
-    const auto end = std::chrono::steady_clock::now() + patience;
-    while (!module_runs(bench) && std::chrono::steady_clock::now() < end)
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    EXPECT_TRUE(module_runs(bench));
+    EXPECT_TRUE(wait_for_module(bench));
     ::kill(bench, SIGINT);
     EXPECT_EQ(wait_for(bench), 130);
     EXPECT_FALSE(fs::exists(json_file()));
     EXPECT_THAT(leftovers(), IsEmpty());
-    EXPECT_FALSE(module_runs(bench));
+    EXPECT_FALSE(module(bench));
+}
+
+TEST_F(GraphCommand, AModuleThatDiesFailsTheRunAndItsRowsAreNotClaimed) {
+    const pid_t bench = start("600");
+    const auto victim = wait_for_module(bench);
+    if (victim) ::kill(*victim, SIGKILL);
+    EXPECT_TRUE(victim);
+    EXPECT_EQ(wait_for(bench), 1);
+    EXPECT_THAT(test::read_text(errors()), HasSubstr("segmentation"));
+    const json result = json::parse(test::read_text(json_file()));
+    EXPECT_EQ(result["graph"]["complete"], false);
+    EXPECT_THAT(result["graph"]["failure"], HasSubstr("segmentation"));
+    for (const json& row : result["ratios"]) {
+        EXPECT_TRUE(row["ratio"].is_null()) << row;
+        EXPECT_EQ(row["met"], false) << row;
+    }
+    EXPECT_THAT(leftovers(), IsEmpty());
+    EXPECT_FALSE(module(bench));
 }
 
 }  // namespace
