@@ -17,5 +17,6 @@ struct EdgeLine {
 
 /// Requires a point.
 EdgeLine edge_line(const Line& line, std::span<const Eigen::Vector2d> consensus);
+EdgeLine edge_line(const Line& line, const PointColumns& consensus);
 
 }  // namespace goalmouth

@@ -1,7 +1,6 @@
 #include "core/detection/line_scoring.h"
 
 #include <algorithm>
-#include <limits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/detection/line_scoring.cpp"
@@ -13,156 +12,170 @@ namespace goalmouth::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+constexpr float shortest_sample = 4.0F;  // of the grid
+
 using Doubles = hn::CappedTag<double, room_behind_points / 2>;
 using Floats = hn::CappedTag<float, room_behind_points>;
-using Counts = hn::RebindToUnsigned<Floats>;
+using Integers = hn::RebindToSigned<Floats>;
+using Shorts = hn::CappedTag<std::int16_t, 2 * room_behind_points>;
 using DoubleVector = hn::Vec<Doubles>;
-using FloatVector = hn::Vec<Floats>;
-using CountVector = hn::Vec<Counts>;
+using IntegerVector = hn::Vec<Integers>;
+using ShortVector = hn::Vec<Shorts>;
 
-double coarse_points(const Eigen::Vector2d* points, std::size_t count, Eigen::Vector2f* coarse) {
-    const Doubles d;
-    const hn::Rebind<float, Doubles> f;
-    const auto first_x = hn::Set(d, points[0].x());
-    const auto first_y = hn::Set(d, points[0].y());
-    auto reach = hn::Zero(d);
-    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-        DoubleVector x;
-        DoubleVector y;
-        hn::LoadInterleaved2(d, points[i].data(), x, y);
-        const auto inside = hn::FirstN(d, count - i);
-        x = hn::IfThenElseZero(inside, hn::Sub(x, first_x));
-        y = hn::IfThenElseZero(inside, hn::Sub(y, first_y));
-        reach = hn::Max(reach, hn::Max(hn::Abs(x), hn::Abs(y)));
-        hn::StoreInterleaved2(hn::DemoteTo(f, x), hn::DemoteTo(f, y), f, coarse[i].data());
+/// Without the digits behind the point, and each number twice, so that a load of 32 bits fills all lanes with
+/// it.
+HWY_INLINE void round_points(const GridPoint* HWY_RESTRICT points, std::size_t count,
+                             GridPoint* HWY_RESTRICT rounded) {
+    const Integers n;
+    const auto half = hn::Set(n, 0x8000);
+    const auto upper = hn::Set(n, -0x10000);
+    const std::int32_t* const from = &points->x;
+    std::int32_t* const to = &rounded->x;
+    for (std::size_t i = 0; i < 2 * count; i += hn::Lanes(n)) {
+        const auto v = hn::And(hn::Add(hn::LoadU(n, from + i), half), upper);
+        const auto lower =
+            hn::BitCast(n, hn::ShiftRight<16>(hn::BitCast(hn::RebindToUnsigned<Integers>(), v)));
+        hn::StoreU(hn::Or(v, lower), n, to + i);
     }
-    return hn::GetLane(hn::MaxOfLanes(d, reach));
 }
 
-/// Lines, one for each sample: normal · p = offset, with normals as long as their samples and with the square
-/// of what distance × length allows. So no line needs a root or a division.
+/// Lines on the grid, one for each sample: normal · p = offset · 2^15, normals not longer than 2^15.
 struct Hypotheses {
-    alignas(64) float normal_x[LineSamples::most];
-    alignas(64) float normal_y[LineSamples::most];
-    alignas(64) float offset[LineSamples::most];
-    alignas(64) float limit[LineSamples::most];
+    alignas(64) std::int16_t normal_x[LineSamples::most];
+    alignas(64) std::int16_t normal_y[LineSamples::most];
+    alignas(64) std::int16_t offset[LineSamples::most];
 };
 
-HWY_INLINE void lines_through(const LineSamples& samples, float distance, Hypotheses& lines) {
-    const Floats d;
-    const auto square = hn::Set(d, distance * distance);
-    const auto least = hn::Set(d, 1e-30F);
-    for (std::size_t i = 0; i < samples.count; i += hn::Lanes(d)) {
-        FloatVector x;
-        FloatVector y;
-        FloatVector along_x;
-        FloatVector along_y;
-        hn::LoadInterleaved2(d, samples.point[i].data(), x, y);
-        hn::LoadInterleaved2(d, samples.along[i].data(), along_x, along_y);
-        const auto length = hn::MulAdd(along_x, along_x, hn::Mul(along_y, along_y));  // squared
-        const auto limit = hn::Mul(length, square);
-        // Too short for single precision: a line that every point lies on.
-        const auto known = hn::And(hn::Ge(length, least), hn::Ge(limit, least));
-        const auto normal_x = hn::IfThenElseZero(known, along_y);
-        const auto normal_y = hn::IfThenElseZero(known, hn::Neg(along_x));
-        hn::Store(normal_x, d, lines.normal_x + i);
-        hn::Store(normal_y, d, lines.normal_y + i);
-        hn::Store(hn::MulAdd(normal_x, x, hn::Mul(normal_y, y)), d, lines.offset + i);
-        hn::Store(hn::IfThenElse(known, limit, hn::Set(d, 1.0F)), d, lines.limit + i);
+HWY_INLINE void lines_through(const LineSamples& samples, Hypotheses& lines) {
+    const Integers n;
+    const Floats f;
+    const hn::Rebind<std::int16_t, Integers> words;
+    // Shorter than this the digits behind the point do not suffice for a direction.
+    const auto least = hn::Set(f, shortest_sample * shortest_sample * 0x1p32F);
+    // Less than 2^15 by the share that the approximate root may be wrong.
+    const auto unit = hn::Set(f, 32500.0F);
+    for (std::size_t i = 0; i < samples.count; i += hn::Lanes(n)) {
+        IntegerVector x;
+        IntegerVector y;
+        IntegerVector to_x;
+        IntegerVector to_y;
+        hn::LoadInterleaved2(n, &samples.first[i].x, x, y);
+        hn::LoadInterleaved2(n, &samples.second[i].x, to_x, to_y);
+        const auto along_x = hn::ConvertTo(f, hn::Sub(to_x, x));
+        const auto along_y = hn::ConvertTo(f, hn::Sub(to_y, y));
+        const auto square = hn::MulAdd(along_x, along_x, hn::Mul(along_y, along_y));
+        // With no normal it is a line that every point lies on.
+        const auto shorten =
+            hn::IfThenElseZero(hn::Ge(square, least), hn::Mul(hn::ApproximateReciprocalSqrt(square), unit));
+        const auto normal_x = hn::NearestInt(hn::Mul(along_y, shorten));
+        const auto normal_y = hn::NearestInt(hn::Neg(hn::Mul(along_x, shorten)));
+        const auto along_normal = hn::MulAdd(hn::ConvertTo(f, normal_x), hn::ConvertTo(f, x),
+                                             hn::Mul(hn::ConvertTo(f, normal_y), hn::ConvertTo(f, y)));
+        const auto offset = hn::NearestInt(hn::Mul(along_normal, hn::Set(f, 0x1p-31F)));
+        hn::StoreU(hn::DemoteTo(words, normal_x), words, lines.normal_x + i);
+        hn::StoreU(hn::DemoteTo(words, normal_y), words, lines.normal_y + i);
+        hn::StoreU(hn::DemoteTo(words, offset), words, lines.offset + i);
     }
-}
-
-/// Which lanes' lines pass the point nearer than the limit.
-HWY_INLINE hn::Mask<Floats> is_near(FloatVector normal_x, FloatVector normal_y, FloatVector offset,
-                                    FloatVector limit, FloatVector x, FloatVector y) {
-    const auto from = hn::MulAdd(normal_x, x, hn::MulSub(normal_y, y, offset));
-    return hn::Lt(hn::Mul(from, from), limit);
 }
 
 /// `count` and one more in the lanes of the mask.
-HWY_INLINE CountVector count_lanes(hn::Mask<Floats> mask, CountVector count) {
-    const Counts c;
-    const auto one_more = hn::RebindMask(c, mask);
+HWY_INLINE ShortVector count_lanes(hn::Mask<Shorts> mask, ShortVector count) {
+    const Shorts s;
 #if HWY_TARGET <= HWY_AVX3
-    return hn::IfThenElse(one_more, hn::Add(count, hn::Set(c, 1)), count);
+    return hn::IfThenElse(mask, hn::Add(count, hn::Set(s, 1)), count);
 #else
-    return hn::Sub(count, hn::VecFromMask(c, one_more));
+    return hn::Sub(count, hn::VecFromMask(s, mask));
 #endif
 }
 
-/// Of one line, with the points in the lanes.
-HWY_INLINE std::uint32_t count_near(const Hypotheses& lines, std::size_t i,
-                                    const Eigen::Vector2f* HWY_RESTRICT coarse, std::size_t points) {
-    const Floats d;
-    const auto normal_x = hn::Set(d, lines.normal_x[i]);
-    const auto normal_y = hn::Set(d, lines.normal_y[i]);
-    const auto offset = hn::Set(d, lines.offset[i]);
-    const auto limit = hn::Set(d, lines.limit[i]);
-    std::size_t count = 0;
-    for (std::size_t p = 0; p < points; p += hn::Lanes(d)) {
-        FloatVector x;
-        FloatVector y;
-        hn::LoadInterleaved2(d, coarse[p].data(), x, y);
-        const auto near = is_near(normal_x, normal_y, offset, limit, x, y);
-        count += hn::CountTrue(d, hn::And(near, hn::FirstN(d, points - p)));
+/// Some lines, one in each lane.
+struct LineLanes {
+    ShortVector normal_x;
+    ShortVector normal_y;
+    ShortVector start;  // what is here or less than 2 · near behind is near, with no more than one comparison
+
+    HWY_INLINE LineLanes(const Hypotheses& lines, std::size_t i, std::int16_t near)
+        : normal_x(hn::Load(Shorts(), lines.normal_x + i)),
+          normal_y(hn::Load(Shorts(), lines.normal_y + i)),
+          start(hn::Sub(hn::Load(Shorts(), lines.offset + i),
+                        hn::Set(Shorts(), static_cast<std::int16_t>(near - 1 - 32768)))) {}
+
+    /// Which lines pass the point near.
+    HWY_INLINE hn::Mask<Shorts> is_near(ShortVector x, ShortVector y, ShortVector end) const {
+        const auto along = hn::Add(hn::MulFixedPoint15(normal_x, x), hn::MulFixedPoint15(normal_y, y));
+        return hn::Lt(hn::Sub(along, start), end);
     }
-    return static_cast<std::uint32_t>(count);
+};
+
+/// A rounded number, which is in both halves.
+HWY_INLINE ShortVector in_all_lanes(std::int32_t twice) {
+    const Shorts s;
+#if HWY_TARGET == HWY_SCALAR
+    return hn::Set(s, static_cast<std::int16_t>(twice));
+#else
+    return hn::BitCast(s, hn::Set(hn::Repartition<std::int32_t, Shorts>(), twice));
+#endif
 }
 
-std::uint32_t bound_support(const LineSamples& samples, const Eigen::Vector2f* HWY_RESTRICT coarse,
-                            std::size_t points, float distance, std::uint32_t* HWY_RESTRICT support) {
-    const Floats d;
-    const Counts c;
-    const std::size_t lanes = hn::Lanes(d);
+/// The counts of up to 2^15 points.
+HWY_INLINE void count_near(const Hypotheses& lines, std::size_t hypotheses, std::int16_t near,
+                           const GridPoint* HWY_RESTRICT points, std::size_t count,
+                           std::uint16_t* HWY_RESTRICT counts) {
+    const Shorts s;
+    const std::size_t lanes = hn::Lanes(s);
+    const auto end = hn::Set(s, static_cast<std::int16_t>(2 * near - 1 - 32768));
+    const hn::RebindToUnsigned<Shorts> u;
+    for (std::size_t i = 0; i < hypotheses; i += 2 * lanes) {
+        const LineLanes a(lines, i, near);
+        auto count_a = hn::Zero(s);
+        if (i + lanes < hypotheses) {
+            const LineLanes b(lines, i + lanes, near);
+            auto count_b = hn::Zero(s);
+            for (std::size_t p = 0; p < count; ++p) {
+                const auto x = in_all_lanes(points[p].x);
+                const auto y = in_all_lanes(points[p].y);
+                count_a = count_lanes(a.is_near(x, y, end), count_a);
+                count_b = count_lanes(b.is_near(x, y, end), count_b);
+            }
+            hn::Store(hn::BitCast(u, count_b), u, counts + i + lanes);
+        } else {
+            for (std::size_t p = 0; p < count; ++p)
+                count_a = count_lanes(a.is_near(in_all_lanes(points[p].x), in_all_lanes(points[p].y), end),
+                                      count_a);
+        }
+        hn::Store(hn::BitCast(u, count_a), u, counts + i);
+    }
+}
+
+SupportBounds bound_support(const LineSamples& samples, std::int16_t near, const GridPoint* points,
+                            std::size_t count, GridPoint* rounded, std::uint32_t* HWY_RESTRICT support) {
+    constexpr std::size_t block = 32768;  // fits the counts
+    const hn::CappedTag<std::uint32_t, room_behind_points> c;
+    const hn::Rebind<std::uint16_t, decltype(c)> narrow;
+    alignas(64) std::uint16_t counts[LineSamples::most];
     Hypotheses lines;
-    lines_through(samples, distance, lines);
+    lines_through(samples, lines);
+    round_points(points, count, rounded);
     auto most = hn::Zero(c);
-    std::size_t i = 0;
-    // Two vectors of hypotheses for each load of a point; what is left over by one, if it fills it somehow.
-    const std::size_t few = lanes / 4;
-    for (; i + lanes + few < samples.count; i += 2 * lanes) {
-        const auto normal_x_a = hn::Load(d, lines.normal_x + i);
-        const auto normal_y_a = hn::Load(d, lines.normal_y + i);
-        const auto offset_a = hn::Load(d, lines.offset + i);
-        const auto limit_a = hn::Load(d, lines.limit + i);
-        const auto normal_x_b = hn::Load(d, lines.normal_x + i + lanes);
-        const auto normal_y_b = hn::Load(d, lines.normal_y + i + lanes);
-        const auto offset_b = hn::Load(d, lines.offset + i + lanes);
-        const auto limit_b = hn::Load(d, lines.limit + i + lanes);
-        auto count_a = hn::Zero(c);
-        auto count_b = hn::Zero(c);
-        for (std::size_t p = 0; p < points; ++p) {
-            const auto x = hn::Set(d, coarse[p].x());
-            const auto y = hn::Set(d, coarse[p].y());
-            count_a = count_lanes(is_near(normal_x_a, normal_y_a, offset_a, limit_a, x, y), count_a);
-            count_b = count_lanes(is_near(normal_x_b, normal_y_b, offset_b, limit_b, x, y), count_b);
+    for (std::size_t done = 0; done < count; done += block) {
+        count_near(lines, samples.count, near, rounded + done, std::min(block, count - done), counts);
+        for (std::size_t i = 0; i < samples.count; i += hn::Lanes(c)) {
+            auto sum = hn::PromoteTo(c, hn::Load(narrow, counts + i));
+            if (done > 0) sum = hn::Add(sum, hn::LoadU(c, support + i));
+            sum = hn::IfThenElseZero(hn::FirstN(c, samples.count - i), sum);
+            hn::StoreU(sum, c, support + i);
+            most = hn::Max(most, sum);
         }
-        hn::StoreU(count_a, c, support + i);
-        hn::StoreU(count_b, c, support + i + lanes);
-        count_b = hn::IfThenElseZero(hn::FirstN(c, samples.count - i - lanes), count_b);
-        most = hn::Max(most, hn::Max(count_a, count_b));
     }
-    if (i + few < samples.count) {
-        const auto normal_x = hn::Load(d, lines.normal_x + i);
-        const auto normal_y = hn::Load(d, lines.normal_y + i);
-        const auto offset = hn::Load(d, lines.offset + i);
-        const auto limit = hn::Load(d, lines.limit + i);
-        auto count = hn::Zero(c);
-        for (std::size_t p = 0; p < points; ++p) {
-            const auto x = hn::Set(d, coarse[p].x());
-            const auto y = hn::Set(d, coarse[p].y());
-            count = count_lanes(is_near(normal_x, normal_y, offset, limit, x, y), count);
-        }
-        hn::StoreU(count, c, support + i);
-        most = hn::Max(most, hn::IfThenElseZero(hn::FirstN(c, samples.count - i), count));
-        i += lanes;
+    const auto largest = hn::MaxOfLanes(c, most);
+    SupportBounds bounds{hn::GetLane(largest), 0};
+    for (; bounds.first < samples.count; bounds.first += hn::Lanes(c)) {
+        const auto found = hn::FindFirstTrue(c, hn::Eq(hn::LoadU(c, support + bounds.first), largest));
+        if (found < 0) continue;
+        bounds.first += static_cast<std::size_t>(found);
+        break;
     }
-    std::uint32_t largest = hn::GetLane(hn::MaxOfLanes(c, most));
-    for (; i < samples.count; ++i) {
-        support[i] = count_near(lines, i, coarse, points);
-        largest = std::max(largest, support[i]);
-    }
-    return largest;
+    return bounds;
 }
 
 /// Line::distance() < distance, operation by operation: no fused multiply-add, which rounds once less.
@@ -173,40 +186,51 @@ HWY_INLINE hn::Mask<Doubles> near_exactly(const Line& line, double distance, Dou
     return hn::Lt(hn::Abs(hn::Sub(along_normal, hn::Set(d, line.offset))), hn::Set(d, distance));
 }
 
-std::size_t count_inliers(const Eigen::Vector2d* points, std::size_t count, const Line& line,
+std::size_t count_inliers(const double* x, const double* y, std::size_t count, const Line& line,
                           double distance) {
     const Doubles d;
     std::size_t inliers = 0;
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-        DoubleVector x;
-        DoubleVector y;
-        hn::LoadInterleaved2(d, points[i].data(), x, y);
-        inliers += hn::CountTrue(d, hn::And(near_exactly(line, distance, x, y), hn::FirstN(d, count - i)));
+        const auto near = near_exactly(line, distance, hn::LoadU(d, x + i), hn::LoadU(d, y + i));
+        inliers += hn::CountTrue(d, hn::And(near, hn::FirstN(d, count - i)));
     }
     return inliers;
 }
 
-std::size_t take_inliers(Eigen::Vector2d* points, std::size_t count, const Line& line, double distance,
-                         Eigen::Vector2d* inliers) {
+std::size_t take_inliers(const PointTable& points, std::size_t count, const Line& line, double distance,
+                         double* HWY_RESTRICT inlier_x, double* HWY_RESTRICT inlier_y) {
     const Doubles d;
     std::size_t taken = 0;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-        DoubleVector x;
-        DoubleVector y;
-        hn::LoadInterleaved2(d, points[i].data(), x, y);
+        const auto x = hn::LoadU(d, points.x + i);
+        const auto y = hn::LoadU(d, points.y + i);
+        const auto near = near_exactly(line, distance, x, y);
+#if HWY_TARGET <= HWY_AVX3
+        const hn::Rebind<std::uint64_t, Doubles> places;
+        std::uint64_t* const grid = reinterpret_cast<std::uint64_t*>(points.grid);
+        const auto place = hn::LoadU(places, grid + i);
+        const auto inside = hn::FirstN(d, count - i);
+        const auto far = hn::AndNot(near, inside);
+        hn::CompressStore(x, hn::And(near, inside), d, inlier_x + taken);
+        taken += hn::CompressStore(y, hn::And(near, inside), d, inlier_y + taken);
+        hn::CompressStore(x, far, d, points.x + kept);
+        hn::CompressStore(y, far, d, points.y + kept);
+        kept += hn::CompressStore(place, hn::RebindMask(places, far), places, grid + kept);
+#else
         std::uint8_t bits[8];  // as many as it may write; one has the lanes
-        hn::StoreMaskBits(d, near_exactly(line, distance, x, y), bits);
-        std::size_t near = bits[0];
+        hn::StoreMaskBits(d, near, bits);
+        std::size_t is_near = bits[0];
         const std::size_t behind = std::min(i + hn::Lanes(d), count);
         // To both places, but only one goes on: no branch that half of the points would take.
-        for (std::size_t j = i; j < behind; ++j, near >>= 1) {
-            const Eigen::Vector2d point = points[j];
-            inliers[taken] = point;
-            points[kept] = point;
-            taken += near & 1;
-            kept += 1 - (near & 1);
+        for (std::size_t j = i; j < behind; ++j, is_near >>= 1) {
+            points.x[kept] = inlier_x[taken] = points.x[j];
+            points.y[kept] = inlier_y[taken] = points.y[j];
+            points.grid[kept] = points.grid[j];
+            taken += is_near & 1;
+            kept += 1 - (is_near & 1);
         }
+#endif
     }
     return taken;
 }
@@ -217,39 +241,23 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace goalmouth {
 
-HWY_EXPORT(coarse_points);
 HWY_EXPORT(bound_support);
 HWY_EXPORT(count_inliers);
 HWY_EXPORT(take_inliers);
 
-double coarse_points(const Eigen::Vector2d* points, std::size_t count, Eigen::Vector2f* coarse) {
-    return HWY_DYNAMIC_DISPATCH(coarse_points)(points, count, coarse);
+SupportBounds bound_support(const LineSamples& samples, std::int16_t near, const GridPoint* points,
+                            std::size_t count, GridPoint* rounded, std::uint32_t* support) {
+    return HWY_DYNAMIC_DISPATCH(bound_support)(samples, near, points, count, rounded, support);
 }
 
-float coarse_distance(double distance, const Eigen::Vector2d& first, double reach) {
-    constexpr double farthest = 1e8;  // px; its fourth power is still a float
-    if (!(reach < farthest)) return std::numeric_limits<float>::infinity();
-    // At most some 30 roundings of coordinates of either kind, coarse ones and Line's own, and 8 of the
-    // distance.
-    const double error = 0x1p-18 * reach + 0x1p-47 * (first.cwiseAbs().maxCoeff() + reach);
-    const double enough = (distance + error) * (1.0 + 0x1p-20);
-    // Beyond this nothing is: no distance is as large as the coordinates' sum.
-    return static_cast<float>(std::min(enough, 4.0 * farthest));
-}
-
-std::uint32_t bound_support(const LineSamples& samples, const Eigen::Vector2f* coarse, std::size_t count,
-                            float distance, std::uint32_t* support) {
-    return HWY_DYNAMIC_DISPATCH(bound_support)(samples, coarse, count, distance, support);
-}
-
-std::size_t count_inliers(const Eigen::Vector2d* points, std::size_t count, const Line& line,
+std::size_t count_inliers(const double* x, const double* y, std::size_t count, const Line& line,
                           double distance) {
-    return HWY_DYNAMIC_DISPATCH(count_inliers)(points, count, line, distance);
+    return HWY_DYNAMIC_DISPATCH(count_inliers)(x, y, count, line, distance);
 }
 
-std::size_t take_inliers(Eigen::Vector2d* points, std::size_t count, const Line& line, double distance,
-                         Eigen::Vector2d* inliers) {
-    return HWY_DYNAMIC_DISPATCH(take_inliers)(points, count, line, distance, inliers);
+std::size_t take_inliers(const PointTable& points, std::size_t count, const Line& line, double distance,
+                         double* inlier_x, double* inlier_y) {
+    return HWY_DYNAMIC_DISPATCH(take_inliers)(points, count, line, distance, inlier_x, inlier_y);
 }
 
 }  // namespace goalmouth

@@ -1,48 +1,49 @@
 #pragma once
 
+#include "core/detection/point_grid.h"
 #include "core/geometry/line.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
-#include <Eigen/Core>
-
 namespace goalmouth {
 
-/// Arrays of points have room for this many more behind the last one, which may be read and written over.
-inline constexpr std::size_t room_behind_points = 16;
-
-/// Samples of two points, one for each hypothesis: the first point, coarse as from coarse_points(), and the
-/// way from there to the second.
+/// Samples of two points, one for each hypothesis; so many are worked on at a time.
 struct LineSamples {
     static constexpr std::size_t most = 64;
 
-    alignas(64) std::array<Eigen::Vector2f, most> point;
-    alignas(64) std::array<Eigen::Vector2f, most> along;
+    alignas(64) std::array<GridPoint, most> first{};
+    alignas(64) std::array<GridPoint, most> second{};
     std::size_t count = 0;
 };
 
-/// The points in single precision, from the first one. Returns the largest of their coordinates by magnitude.
-double coarse_points(const Eigen::Vector2d* points, std::size_t count, Eigen::Vector2f* coarse);
+struct SupportBounds {
+    std::uint32_t most = 0;  // the largest
+    std::size_t first = 0;   // the first sample that has it
+};
 
-/// The distance [px] within which bound_support() finds all points that Line::distance() finds nearer than
-/// `distance`, whatever rounding does: of points of which this is the first and the others reach as far from
-/// there as coarse_points() says. Infinite where single precision does not suffice.
-float coarse_distance(double distance, const Eigen::Vector2d& first, double reach);
-
-/// For each sample the number of points nearer to the line through it than `distance` [px], finite, from
-/// coarse_distance(): no fewer than Line::distance() finds. All points for a sample too short to tell. Room
-/// for LineSamples::most in `support`. Returns the largest of these.
-std::uint32_t bound_support(const LineSamples& samples, const Eigen::Vector2f* coarse, std::size_t count,
-                            float distance, std::uint32_t* support);
+/// For each sample the number of points that may be nearer to the line through it than the distance that
+/// `near` is for: no fewer than Line::distance() finds, and hardly more. All points for a sample too short to
+/// tell. Room for LineSamples::most in `support`, and for as many as there are points in `rounded`, which is
+/// written over.
+SupportBounds bound_support(const LineSamples& samples, std::int16_t near, const GridPoint* points,
+                            std::size_t count, GridPoint* rounded, std::uint32_t* support);
 
 /// Points nearer to the line than `distance`, exactly as Line::distance() decides it.
-std::size_t count_inliers(const Eigen::Vector2d* points, std::size_t count, const Line& line,
+std::size_t count_inliers(const double* x, const double* y, std::size_t count, const Line& line,
                           double distance);
 
-/// Moves those points, in their order, to `inliers` and the others together. Returns how many were moved.
-std::size_t take_inliers(Eigen::Vector2d* points, std::size_t count, const Line& line, double distance,
-                         Eigen::Vector2d* inliers);
+/// Columns of points with their places on a grid.
+struct PointTable {
+    double* x;
+    double* y;
+    GridPoint* grid;
+};
+
+/// Moves those points, in their order, to `inlier_x` and `inlier_y` and the others together. Returns how many
+/// were moved.
+std::size_t take_inliers(const PointTable& points, std::size_t count, const Line& line, double distance,
+                         double* inlier_x, double* inlier_y);
 
 }  // namespace goalmouth

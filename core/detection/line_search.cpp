@@ -1,7 +1,8 @@
 #include "core/detection/line_search.h"
 
+#include "core/random/index_pairs.h"
+
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -22,7 +23,8 @@ const std::vector<EdgeLine>& LineSearch::find(std::span<const Eigen::Vector2d> p
         if (best.support == 0) break;
         take(best.line);
         if (best.support < minimum) continue;
-        const std::span consensus(consensus_.data(), best.support);
+        const PointColumns consensus{{consensus_x_.data(), best.support},
+                                     {consensus_y_.data(), best.support}};
         if (const auto line = fit_line(consensus)) found_.push_back(edge_line(*line, consensus));
     }
     return found_;
@@ -31,20 +33,22 @@ const std::vector<EdgeLine>& LineSearch::find(std::span<const Eigen::Vector2d> p
 void LineSearch::load(std::span<const Eigen::Vector2d> points) {
     count_ = points.size();
     const std::size_t room = count_ + room_behind_points;
-    if (points_.size() < room) {
-        points_.resize(room, Eigen::Vector2d::Zero());
-        consensus_.resize(room, Eigen::Vector2d::Zero());
-        coarse_.resize(room);
+    if (x_.size() < room) {
+        for (auto* column : {&x_, &y_, &consensus_x_, &consensus_y_}) column->resize(room);
+        on_grid_.resize(room);
+        rounded_.resize(room);
         order_.resize(room);
+        in_order_.resize(room);
+        std::iota(in_order_.begin(), in_order_.end(), 0U);
     }
-    std::copy(points.begin(), points.end(), points_.begin());
+    const Box box = split_points(points, x_.data(), y_.data());
+    grid_ = grid_for(box, parameters_.inlier_distance);
+    if (grid_.scale > 0.0) place_on_grid(grid_, x_.data(), y_.data(), count_, on_grid_.data());
 }
 
 /// Of hypotheses with equal support the first, as everywhere in Algorithm 2.
 LineSearch::Best LineSearch::best_hypothesis(Random& random) {
-    const double reach = coarse_points(points_.data(), count_, coarse_.data());
-    coarse_distance_ = coarse_distance(parameters_.inlier_distance, points_[0], reach);
-    std::iota(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(count_), 0U);
+    std::copy_n(in_order_.begin(), count_, order_.begin());
     const auto attempts = static_cast<std::size_t>(parameters_.attempts);
     Best best;
     std::size_t drawn = 0;
@@ -62,50 +66,42 @@ LineSearch::Best LineSearch::best_hypothesis(Random& random) {
 }
 
 void LineSearch::draw(std::size_t count, Random& random) {
-    const auto points = static_cast<std::uint32_t>(count_);
+    draw_index_pairs(random, static_cast<std::uint32_t>(count_), count, indices_.data());
     std::uint32_t* const order = order_.data();
-    Random draws = random;  // a copy stays in registers
     std::uint32_t first = order[0];
     for (std::size_t i = 0; i < count; ++i) {
         // std::swap(order[0], order[index(n)]), std::swap(order[1], order[1 + index(n - 1)]), with order[0]
-        // kept at hand.
-        order[0] = first;
-        std::uint32_t& a = order[draws.index(points)];
-        std::swap(first, a);
-        std::uint32_t& b = order[1 + draws.index(points - 1)];
+        // kept at hand and its place left as it is.
+        const std::uint64_t a = indices_[2 * i];
+        const std::uint32_t there = order[a];
+        order[a] = first;
+        if (a != 0) first = there;
+        std::uint32_t& b = order[1 + indices_[2 * i + 1]];
         const std::uint32_t second = b;
         b = order[1];
         order[1] = second;
-        first_[i] = first;
-        second_[i] = second;
+        chosen_[i] = first | (std::uint64_t{second} << 32);
+        samples_.first[i] = on_grid_[first];
+        samples_.second[i] = on_grid_[second];
     }
     order[0] = first;
-    random = draws;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Eigen::Vector2d& a = points_[first_[i]];
-        const Eigen::Vector2d& b = points_[second_[i]];
-        samples_.point[i] = coarse_[first_[i]];
-        samples_.along[i] = (b - a).cast<float>();
-    }
     samples_.count = count;
 }
 
 /// Returns how many attempts are needed in all, now that these are known.
 std::size_t LineSearch::search_samples(std::size_t drawn, std::size_t needed, Best& best) {
-    auto most = static_cast<std::uint32_t>(count_);
-    if (std::isinf(coarse_distance_)) {
-        support_.fill(most);
+    SupportBounds bounds{static_cast<std::uint32_t>(count_), 0};
+    if (grid_.scale > 0.0) {
+        bounds =
+            bound_support(samples_, grid_.near, on_grid_.data(), count_, rounded_.data(), support_.data());
     } else {
-        most = bound_support(samples_, coarse_.data(), count_, coarse_distance_, support_.data());
+        support_.fill(bounds.most);
     }
-    if (most < best.support) return needed;
+    if (bounds.most < best.support) return needed;
     const bool in_order = parameters_.confidence < 1.0;
-    if (!in_order && most > best.support) {
-        const auto promising = std::find(support_.begin(), support_.end(), most) - support_.begin();
-        try_sample(static_cast<std::size_t>(promising), drawn, best);
-    }
+    if (!in_order && bounds.most > best.support) try_sample(bounds.first, drawn, best);
     // No bound before this one is as large, and none behind it larger.
-    if (best.support == most) return most == count_ ? 0 : needed;
+    if (best.support == bounds.most) return best.support == count_ ? 0 : needed;
     for (std::size_t i = 0; i < samples_.count && drawn + i < needed; ++i) {
         if (support_[i] < best.support || (support_[i] == best.support && drawn + i >= best.attempt))
             continue;
@@ -116,16 +112,19 @@ std::size_t LineSearch::search_samples(std::size_t drawn, std::size_t needed, Be
 }
 
 bool LineSearch::try_sample(std::size_t i, std::size_t drawn, Best& best) const {
-    const auto line = line_through(points_[first_[i]], points_[second_[i]]);
+    const auto point = [this](std::uint64_t j) { return Eigen::Vector2d(x_[j], y_[j]); };
+    const auto line = line_through(point(chosen_[i] & 0xFFFFFFFFU), point(chosen_[i] >> 32));
     if (!line) return false;
-    const std::size_t support = count_inliers(points_.data(), count_, *line, parameters_.inlier_distance);
+    const std::size_t support =
+        count_inliers(x_.data(), y_.data(), count_, *line, parameters_.inlier_distance);
     if (support < best.support || (support == best.support && drawn + i >= best.attempt)) return false;
     best = {*line, support, drawn + i};
     return true;
 }
 
 void LineSearch::take(const Line& line) {
-    count_ -= take_inliers(points_.data(), count_, line, parameters_.inlier_distance, consensus_.data());
+    count_ -= take_inliers({x_.data(), y_.data(), on_grid_.data()}, count_, line, parameters_.inlier_distance,
+                           consensus_x_.data(), consensus_y_.data());
 }
 
 std::vector<EdgeLine> find_lines(const std::vector<Eigen::Vector2d>& points,

@@ -19,11 +19,11 @@ namespace goalmouth {
 /// Algorithm 2 of the paper for lines, fast: the same consensus sets, lines and draws, bit for bit, as
 /// find_primitives() gives, which says what they are (primitive_ransac.h).
 ///
-///   * The hypotheses lie in a structure of arrays, one in each vector lane: a load of a point serves
-///     many, and counts need no sums across lanes. The points that a model leaves are moved together.
-///   * They are counted in single precision with a distance larger by all that rounding can do, which bounds
-///     the support from above. Only a hypothesis whose bound beats the best one's support is counted again in
-///     double precision as Line::distance() does it; mostly that is one of all.
+///   * The hypotheses lie one in each vector lane: a load of a point serves many, and counts need no sums
+///     across lanes. The points that a model leaves are moved together.
+///   * They are counted in whole numbers of 16 bits with a distance larger by all that rounding can do, which
+///     bounds the support from above. Only a hypothesis whose bound beats the best one's support is counted
+///     again in double precision as Line::distance() does it; mostly that is one of all.
 ///   * Once all points agree, the other hypotheses are drawn but not measured.
 class LineSearch {
   public:
@@ -48,17 +48,18 @@ class LineSearch {
 
     RansacParameters parameters_;
     std::vector<EdgeLine> found_;
-    std::vector<Eigen::Vector2d> consensus_;
+    std::vector<double> consensus_x_, consensus_y_;
     // What no model has taken yet, the first `count_` of each:
     std::size_t count_ = 0;
-    std::vector<Eigen::Vector2d> points_;
-    std::vector<Eigen::Vector2f> coarse_;
-    float coarse_distance_ = 0.0F;  // px
-    std::vector<std::uint32_t> order_;
+    std::vector<double> x_, y_;
+    std::vector<GridPoint> on_grid_, rounded_;
+    Grid grid_;
+    std::vector<std::uint32_t> order_, in_order_;
     // The attempts in work:
     LineSamples samples_;
-    std::array<std::uint32_t, LineSamples::most> first_{}, second_{};
-    alignas(64) std::array<std::uint32_t, LineSamples::most> support_{};
+    std::array<std::uint64_t, 2 * LineSamples::most + 8> indices_{};
+    std::array<std::uint64_t, LineSamples::most> chosen_{};  // the samples' points: first + 2^32 · second
+    std::array<std::uint32_t, LineSamples::most> support_{};
 };
 
 /// Up to M_max lines among edge points; each is the best supported one found among the points the former

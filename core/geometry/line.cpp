@@ -31,42 +31,42 @@ std::optional<Line> line_through(const Eigen::Vector2d& a, const Eigen::Vector2d
     return line_with_normal({along.y(), -along.x()}, a);
 }
 
-std::optional<Line> fit_line(std::span<const Eigen::Vector2d> points) {
+namespace {
+
+template <class Points>
+std::optional<Line> fit(const Points& points) {
     if (points.size() < 2) return std::nullopt;
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-    for (const auto& p : points) mean += p;
+    for (std::size_t i = 0; i < points.size(); ++i) mean += points[i];
     mean /= static_cast<double>(points.size());
 
     double xx = 0.0;
     double xy = 0.0;
     double yy = 0.0;
-    for (const auto& p : points) {
-        const Eigen::Vector2d q = p - mean;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Eigen::Vector2d q = points[i] - mean;
         xx += q.x() * q.x();
         xy += q.x() * q.y();
         yy += q.y() * q.y();
     }
-    // The scatter's axes differ by `spread`; rounding alone leaves about 1e-16 of the coordinates' squares.
-    const double spread = std::hypot(xx - yy, 2.0 * xy);
+    // The scatter's axes differ by the hypotenuse, mostly by far more than the rounding of the coordinates'
+    // squares, which is about 1e-16 of them.
     const double rounding = 1e-13 * (mean.squaredNorm() + 1.0) * static_cast<double>(points.size());
-    if (spread <= rounding) return std::nullopt;
+    const double spread = std::max(std::abs(xx - yy), std::abs(2.0 * xy));
+    if (!(spread > 2.0 * rounding) && std::hypot(xx - yy, 2.0 * xy) <= rounding) return std::nullopt;
 
     // Direction of the larger eigenvector of the scatter matrix.
     const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
     return line_with_normal({-std::sin(angle), std::cos(angle)}, mean);
 }
 
-double acute_angle(const Line& a, const Line& b) {
-    const double sine = a.normal.x() * b.normal.y() - a.normal.y() * b.normal.x();
-    return std::atan2(std::abs(sine), std::abs(a.normal.dot(b.normal)));
-}
-
-LineSegment segment_on_line(const Line& line, std::span<const Eigen::Vector2d> points) {
-    assert(!points.empty());
+template <class Points>
+LineSegment segment(const Line& line, const Points& points) {
+    assert(points.size() > 0);
     const Eigen::Vector2d along = line.direction();
     // Four at once, so that a point need not wait for the one before it.
     std::array<double, 4> firsts;
-    firsts.fill(along.dot(points.front()));
+    firsts.fill(along.dot(points[0]));
     std::array<double, 4> lasts = firsts;
     std::size_t i = 0;
     for (; i + firsts.size() <= points.size(); i += firsts.size()) {
@@ -88,6 +88,29 @@ LineSegment segment_on_line(const Line& line, std::span<const Eigen::Vector2d> p
     // direction() runs down the image except for a horizontal line, where it runs to −x.
     if (along.y() <= 0.0) return {line, b, a};
     return {line, a, b};
+}
+
+}  // namespace
+
+std::optional<Line> fit_line(std::span<const Eigen::Vector2d> points) {
+    return fit(points);
+}
+
+std::optional<Line> fit_line(const PointColumns& points) {
+    return fit(points);
+}
+
+double acute_angle(const Line& a, const Line& b) {
+    const double sine = a.normal.x() * b.normal.y() - a.normal.y() * b.normal.x();
+    return std::atan2(std::abs(sine), std::abs(a.normal.dot(b.normal)));
+}
+
+LineSegment segment_on_line(const Line& line, std::span<const Eigen::Vector2d> points) {
+    return segment(line, points);
+}
+
+LineSegment segment_on_line(const Line& line, const PointColumns& points) {
+    return segment(line, points);
 }
 
 std::optional<Eigen::Vector2d> intersection(const Line& a, const Line& b) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -39,15 +40,26 @@ Line line_with_normal(const Eigen::Vector2d& normal, const Eigen::Vector2d& p);
 /// Nothing where the points are equal.
 std::optional<Line> line_through(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
+/// Points as two columns of numbers, as vector instructions want them.
+struct PointColumns {
+    std::span<const double> x;
+    std::span<const double> y;
+
+    std::size_t size() const { return x.size(); }
+    Eigen::Vector2d operator[](std::size_t i) const { return {x[i], y[i]}; }
+};
+
 /// Total least squares: the line with the least sum of squared distances. Nothing with fewer than two
 /// different points, and nothing where no direction is better than another (a square's corners).
 std::optional<Line> fit_line(std::span<const Eigen::Vector2d> points);
+std::optional<Line> fit_line(const PointColumns& points);
 
 /// Angle between two lines, 0 … π/2 [rad].
 double acute_angle(const Line& a, const Line& b);
 
 /// From the first to the last of the points' feet on the line. Requires a point.
 LineSegment segment_on_line(const Line& line, std::span<const Eigen::Vector2d> points);
+LineSegment segment_on_line(const Line& line, const PointColumns& points);
 
 /// Where two lines meet; nothing where they are parallel to within 1e-12 rad.
 std::optional<Eigen::Vector2d> intersection(const Line& a, const Line& b);

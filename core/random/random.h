@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -21,23 +22,31 @@ class Random {
     std::uint32_t index(std::uint32_t count);
     /// Normal with mean 0 and standard deviation 1.
     double normal();
+    /// Goes on by `draws` of bits() without finishing them: each is rotl(first + last, 23) + first.
+    void skip(std::size_t draws, std::uint64_t* first, std::uint64_t* last);
 
   private:
+    static void step(std::uint64_t& a, std::uint64_t& b, std::uint64_t& c, std::uint64_t& d);
+
     std::uint64_t state_[4];
     double spare_ = 0.0;
     bool has_spare_ = false;
 };
 
 // Inline, so that a loop of draws keeps the state in registers.
+inline void Random::step(std::uint64_t& a, std::uint64_t& b, std::uint64_t& c, std::uint64_t& d) {
+    const std::uint64_t t = b << 17;
+    c ^= a;
+    d ^= b;
+    b ^= c;
+    a ^= d;
+    c ^= t;
+    d = std::rotl(d, 45);
+}
+
 inline std::uint64_t Random::bits() {
     const std::uint64_t result = std::rotl(state_[0] + state_[3], 23) + state_[0];
-    const std::uint64_t t = state_[1] << 17;
-    state_[2] ^= state_[0];
-    state_[3] ^= state_[1];
-    state_[1] ^= state_[2];
-    state_[0] ^= state_[3];
-    state_[2] ^= t;
-    state_[3] = std::rotl(state_[3], 45);
+    step(state_[0], state_[1], state_[2], state_[3]);
     return result;
 }
 

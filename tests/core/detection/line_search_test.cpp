@@ -151,14 +151,25 @@ TEST(LineSearch, NeedsTheAttemptsOfTheTextbook) {
     EXPECT_EQ(attempts_needed(parameters, 0, 100, 2), 1000U);
 }
 
+/// Points as the search has them.
+struct Table {
+    explicit Table(const Points& points)
+        : x(points.size() + room_behind_points),
+          y(x.size()),
+          on_grid(x.size()),
+          box(split_points(points, x.data(), y.data())) {}
+
+    std::vector<double> x, y;
+    std::vector<GridPoint> on_grid;
+    Box box;
+};
+
 /// The bound of each sample's support and the support.
 void expect_bounds(const Points& points, double distance, Random& random) {
-    Points roomy = points;
-    roomy.resize(points.size() + room_behind_points, Eigen::Vector2d::Zero());
-    std::vector<Eigen::Vector2f> coarse(roomy.size());
-    const double reach = coarse_points(roomy.data(), points.size(), coarse.data());
-    const float near = coarse_distance(distance, points[0], reach);
-    if (!std::isfinite(near)) return;
+    Table table(points);
+    const Grid grid = grid_for(table.box, distance);
+    if (grid.scale == 0.0) return;
+    place_on_grid(grid, table.x.data(), table.y.data(), points.size(), table.on_grid.data());
     const auto count = static_cast<std::uint32_t>(points.size());
     LineSamples samples;
     std::vector<std::optional<Line>> lines;
@@ -166,26 +177,30 @@ void expect_bounds(const Points& points, double distance, Random& random) {
     for (; samples.count < drawn; ++samples.count) {
         const std::uint32_t a = random.index(count);
         const std::uint32_t b = random.index(count);
-        samples.point[samples.count] = coarse[a];
-        samples.along[samples.count] = (points[b] - points[a]).cast<float>();
+        samples.first[samples.count] = table.on_grid[a];
+        samples.second[samples.count] = table.on_grid[b];
         lines.push_back(line_through(points[a], points[b]));
     }
-    std::array<std::uint32_t, LineSamples::most> bounds;
-    const auto most = bound_support(samples, coarse.data(), points.size(), near, bounds.data());
+    std::array<std::uint32_t, LineSamples::most> support;
+    std::vector<GridPoint> rounded(table.x.size());
+    const SupportBounds bounds = bound_support(samples, grid.near, table.on_grid.data(), points.size(),
+                                               rounded.data(), support.data());
+    const auto most = std::max_element(support.begin(), support.begin() + static_cast<std::ptrdiff_t>(drawn));
+    ASSERT_EQ(bounds.most, *most);
+    ASSERT_EQ(bounds.first, static_cast<std::size_t>(most - support.begin()));
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        ASSERT_LE(bounds[i], most);
         if (!lines[i]) continue;
-        const auto support = std::count_if(points.begin(), points.end(),
+        const auto inliers = std::count_if(points.begin(), points.end(),
                                            [&](const auto& p) { return lines[i]->distance(p) < distance; });
-        ASSERT_LE(static_cast<std::uint32_t>(support), bounds[i]);
-        ASSERT_EQ(count_inliers(roomy.data(), points.size(), *lines[i], distance),
-                  static_cast<std::size_t>(support));
+        ASSERT_LE(static_cast<std::uint32_t>(inliers), support[i]);
+        ASSERT_EQ(count_inliers(table.x.data(), table.y.data(), points.size(), *lines[i], distance),
+                  static_cast<std::size_t>(inliers));
     }
 }
 
 TEST(LineScoring, NeverBoundsTheSupportTooLow) {
     test::on_each_vector_target([] {
-        for (std::uint64_t seed = 0; seed < 500; ++seed) {
+        for (std::uint64_t seed = 0; seed < 1000; ++seed) {
             Random random(seed);
             const Points points = random_points(random);
             if (!points.empty()) expect_bounds(points, std::pow(10.0, random.uniform(-3, 2)), random);
@@ -193,11 +208,46 @@ TEST(LineScoring, NeverBoundsTheSupportTooLow) {
     });
 }
 
+TEST(LineScoring, CountsMorePointsThanSixteenBits) {
+    test::on_each_vector_target([] {
+        Random random(5);
+        Points points;
+        for (int i = 0; i < 70000; ++i)
+            points.emplace_back(random.uniform(0, 1600), 300.0 + 0.1 * random.normal());
+        expect_bounds(points, 5.0, random);
+    });
+}
+
 TEST(LineScoring, IsSureOfAllButAHairsBreadthInPictures) {
     // Otherwise hypothesis after hypothesis would be counted twice.
-    EXPECT_LT(coarse_distance(5.0, {0, 0}, 2000), 5.01F);
-    EXPECT_LT(coarse_distance(5.0, {1e6, 1e6}, 2000), 5.01F);
-    EXPECT_EQ(coarse_distance(5.0, {0, 0}, 1e9), std::numeric_limits<float>::infinity());
+    const auto reach = [](const Box& box) {
+        const Grid grid = grid_for(box, 5.0);
+        return grid.near / grid.scale;
+    };
+    EXPECT_LT(reach({{0, 0}, {640, 480}}), 5.2);
+    EXPECT_LT(reach({{0, 0}, {1600, 1200}}), 5.5);
+    EXPECT_LT(reach({{1e6, 1e6}, {1001600, 1001200}}), 5.5);
+    EXPECT_EQ(grid_for({{0, 0}, {1e200, 1e200}}, 5.0).scale, 0.0);
+}
+
+TEST(LineScoring, PutsABoxAroundThePoints) {
+    test::on_each_vector_target([] {
+        Random random(8);
+        for (std::uint32_t count = 1; count < 60; ++count) {
+            Points points;
+            for (std::uint32_t i = 0; i < count; ++i)
+                points.emplace_back(random.uniform(-50, 50), random.uniform(-50, 50));
+            const Table table(points);
+            Box box{points[0], points[0]};
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                ASSERT_EQ(Eigen::Vector2d(table.x[i], table.y[i]), points[i]);
+                box.least = box.least.cwiseMin(points[i]);
+                box.greatest = box.greatest.cwiseMax(points[i]);
+            }
+            ASSERT_EQ(table.box.least, box.least);
+            ASSERT_EQ(table.box.greatest, box.greatest);
+        }
+    });
 }
 
 TEST(LineScoring, TakesTheInliersAndKeepsTheOrderOfBoth) {
@@ -211,13 +261,20 @@ TEST(LineScoring, TakesTheInliersAndKeepsTheOrderOfBoth) {
             Points near;
             Points far;
             for (const auto& p : points) (line.distance(p) < 4.0 ? near : far).push_back(p);
-            Points rest = points;
-            rest.resize(points.size() + room_behind_points, Eigen::Vector2d::Zero());
-            Points inliers(rest.size());
-            const std::size_t taken = take_inliers(rest.data(), points.size(), line, 4.0, inliers.data());
+            Table table(points);
+            for (std::size_t i = 0; i < points.size(); ++i)
+                table.on_grid[i] = {static_cast<std::int32_t>(1000 * points[i].x()), 7};
+            std::vector<double> x(table.x.size());
+            std::vector<double> y(table.y.size());
+            const std::size_t taken = take_inliers({table.x.data(), table.y.data(), table.on_grid.data()},
+                                                   points.size(), line, 4.0, x.data(), y.data());
             ASSERT_EQ(taken, near.size());
-            ASSERT_TRUE(std::equal(near.begin(), near.end(), inliers.begin()));
-            ASSERT_TRUE(std::equal(far.begin(), far.end(), rest.begin()));
+            for (std::size_t i = 0; i < near.size(); ++i) ASSERT_EQ(Eigen::Vector2d(x[i], y[i]), near[i]);
+            for (std::size_t i = 0; i < far.size(); ++i) {
+                ASSERT_EQ(Eigen::Vector2d(table.x[i], table.y[i]), far[i]);
+                ASSERT_EQ(table.on_grid[i].x, static_cast<std::int32_t>(1000 * far[i].x()));
+                ASSERT_EQ(table.on_grid[i].y, 7);
+            }
         }
     });
 }

@@ -128,6 +128,32 @@ TEST(LineSegment, OfAHorizontalLineRunsFromLeftToRight) {
     EXPECT_NEAR(segment.lower.x(), 12.0, 1e-12);
 }
 
+TEST(PointColumns, GiveTheDigitsThatPointsGive) {
+    std::mt19937 generator(11);
+    std::normal_distribution<double> noise(0.0, 20.0);
+    for (int n = 1; n < 40; ++n) {
+        Points points;
+        std::vector<double> x;
+        std::vector<double> y;
+        for (int i = 0; i < n; ++i) {
+            points.emplace_back(300.0 + noise(generator), 7.0 * i + noise(generator));
+            x.push_back(points.back().x());
+            y.push_back(points.back().y());
+        }
+        const PointColumns columns{x, y};
+        const auto line = fit_line(points);
+        const auto again = fit_line(columns);
+        ASSERT_EQ(line.has_value(), again.has_value()) << n;
+        if (!line) continue;
+        ASSERT_EQ(line->normal, again->normal) << n;
+        ASSERT_EQ(line->offset, again->offset) << n;
+        const LineSegment segment = segment_on_line(*line, points);
+        const LineSegment segment_again = segment_on_line(*again, columns);
+        ASSERT_EQ(segment.upper, segment_again.upper) << n;
+        ASSERT_EQ(segment.lower, segment_again.lower) << n;
+    }
+}
+
 TEST(Intersection, LiesOnBothLinesAndIsMissingForParallels) {
     const auto a = line_through({0.0, 0.0}, {10.0, 10.0});
     const auto b = line_through({0.0, 8.0}, {10.0, -2.0});
