@@ -45,6 +45,10 @@ microseconds SlicePacer::gap(const Encoded& image) const {
     return std::chrono::duration_cast<microseconds>(image.interval * share_of_interval) / slices(image);
 }
 
+SlicePacer::Time SlicePacer::end_of(const Encoded& image) const {
+    return image.start + slices(image) * gap(image);
+}
+
 /// The rest of an image that was begun before it was known how fast they come.
 void SlicePacer::hurry_up_to(microseconds interval) {
     Encoded& image = images_.front();
@@ -62,7 +66,6 @@ void SlicePacer::offer(const image_t& self_contained, Time now) {
     image.camera = self_contained.camera;
     image.bytes.resize(static_cast<std::size_t>(self_contained.getEncodedSize()));
     self_contained.encode(image.bytes.data(), 0, static_cast<int>(image.bytes.size()));
-    image.start = now;
     image.interval_known = last_utime_ && self_contained.utime > *last_utime_;
     if (image.interval_known) {
         image.interval = std::clamp(microseconds(self_contained.utime - *last_utime_), shortest_interval,
@@ -72,6 +75,7 @@ void SlicePacer::offer(const image_t& self_contained, Time now) {
         image.interval = guessed_interval(image.bytes.size());
     }
     last_utime_ = self_contained.utime;
+    image.start = images_.empty() ? now : std::max(now, end_of(images_.back()));
 
     if (images_.size() == 1 + most_waiting) {
         images_.pop_back();

@@ -46,6 +46,7 @@ class SlicePacer {
         bool interval_known = false;
         Time start;
     };
+    Time end_of(const Encoded& image) const;
     void hurry_up_to(std::chrono::microseconds interval);
     std::int32_t slices(const Encoded& image) const;
     std::chrono::microseconds gap(const Encoded& image) const;

@@ -18,8 +18,10 @@ using namespace std::chrono_literals;
 
 constexpr std::int64_t begin_utime = 1'700'000'000'000'000;
 
-image_t image_of(std::int32_t bytes) {
+image_t image_of(std::int32_t bytes, std::int64_t seq = 0) {
     image_t image = example_image();
+    image.utime += 33'333 * seq;
+    image.seq = seq;
     image.data.assign(static_cast<std::size_t>(bytes), 7);
     image.size = image.data_size = bytes;
     return image;
@@ -46,15 +48,19 @@ TEST(TapLog, SlicesAreSpreadOverTheFrameIntervalWithMessagesBetween) {
     TapLog log(folder.path() / "log", 10000, "IMAGE_TAP", "IMAGE_SLICES", begin_utime, begin);
     log.write(image_of(600'000), begin);
     log.write("POSE", std::vector<std::uint8_t>{1}, begin + 10ms);
+    log.write(image_of(600'000, 1), begin + 33333us);
     log.finish();
-    std::vector<std::int64_t> slices;
+    std::vector<std::int64_t> slices;  // of the second, when it is known how fast they come
     std::int64_t pose = 0;
     std::int64_t last = begin_utime;
     for (const LogEvent& event : read_log(log.file())) {
         EXPECT_GE(event.utime, last);
         last = event.utime;
         if (event.channel == "POSE") pose = event.utime;
-        if (event.channel == "IMAGE_SLICES") slices.push_back(event.utime - begin_utime);
+        if (event.channel != "IMAGE_SLICES") continue;
+        image_slice_t slice{};
+        ASSERT_GE(slice.decode(event.data.data(), 0, static_cast<int>(event.data.size())), 0);
+        if (slice.seq == 1) slices.push_back(event.utime - begin_utime);
     }
     EXPECT_EQ(pose, begin_utime + 10'000);
     ASSERT_EQ(slices.size(), 61U);  // the message is larger than its pixels
