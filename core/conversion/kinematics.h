@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/localisation/frame_aligner.h"
+#include "core/alignment/kinematics.h"
 
 #include <goalmouth/kinematics_t.hpp>
 

@@ -17,6 +17,7 @@ inline constexpr std::uint32_t cut_left = 16;
 inline constexpr std::uint32_t cut_right = 32;
 inline constexpr std::uint32_t fills_image = 64;
 inline constexpr std::uint32_t no_distance = 128;
+inline constexpr std::uint32_t refined = 256;
 }  // namespace post_flag
 
 enum class PostSide : std::int8_t { unknown = 0, left = 1, right = 2 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/alignment/kinematics.h"
+#include "core/alignment/sample_channel.h"
 #include "core/detection/post.h"
 #include "core/geometry/camera.h"
 #include "core/geometry/pose2.h"
@@ -20,11 +22,6 @@ struct OdometrySample {
     double translation_noise = -1;  // fractions as in odometry_t; −1 = unknown
     double rotation_noise = -1;
     std::int64_t stretch = 0;  // set by FrameAligner: samples of one stretch have no long gap between them
-};
-
-struct KinematicsSample {
-    std::int64_t utime = 0;
-    CameraPose camera;
 };
 
 /// The posts of one frame.
@@ -86,24 +83,16 @@ class FrameAligner {
 
   private:
     template <class Sample>
-    struct Channel {
-        std::deque<Sample> samples;          // ascending utime
-        std::optional<std::int64_t> latest;  // utime; samples may have been let go since
-        bool awaited = true;
-    };
-
-    template <class Sample>
-    bool accept(Channel<Sample>& channel, std::int64_t utime);
+    bool accept(SampleChannel<Sample>& channel, std::int64_t utime);
     void restart(std::int64_t utime);
     std::vector<AlignedFrame> release();
     void forget_old(std::int64_t frame_utime);
     std::optional<OdometrySample> odometry_at(std::int64_t utime) const;
-    std::optional<CameraPose> camera_at(std::int64_t utime) const;
 
     TimingParameters parameters_;
-    Channel<PostsFrame> posts_;
-    Channel<OdometrySample> odometry_;
-    Channel<KinematicsSample> kinematics_;
+    SampleChannel<PostsFrame> posts_;
+    SampleChannel<OdometrySample> odometry_;
+    SampleChannel<KinematicsSample> kinematics_;
     std::optional<std::int64_t> newest_;
     std::int64_t stretch_ = 0;
     std::int64_t out_of_order_ = 0;

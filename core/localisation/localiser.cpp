@@ -3,13 +3,6 @@
 #include <utility>
 
 namespace goalmouth {
-namespace {
-
-double seconds_between(std::int64_t a, std::int64_t b) {
-    return (static_cast<double>(b) - static_cast<double>(a)) * 1e-6;
-}
-
-}  // namespace
 
 Localiser::Localiser(const Field& field, const LocaliserParameters& parameters,
                      std::function<Random(std::int64_t)> random)

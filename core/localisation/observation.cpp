@@ -94,6 +94,7 @@ std::optional<PostObservation> observe_post(const Post& post, const Intrinsics& 
                                             const ObservationParameters& parameters) {
     if (post.has(post_flag::fills_image) || !(post.width_px > 0.0)) return std::nullopt;
     const bool has_distance = !post.has(post_flag::no_distance) && post.distance_m > 0.0;
+    const bool refined = post.has(post_flag::refined);
     const double radius = 0.5 * post_diameter;
     const Line line = middle_line(post);
     const Eigen::Matrix3d R = pose.T_BC.linear();
@@ -104,8 +105,8 @@ std::optional<PostObservation> observe_post(const Post& post, const Intrinsics& 
     const double px_per_rad = camera.fx * (1.0 + x * x);
     const double bearing_variance = std::max(0.0, post.covariance(1, 1));
     Eigen::Matrix<double, errors, errors> input = Eigen::Matrix<double, errors, errors>::Zero();
-    input(0, 0) =
-        std::max(bearing_variance * px_per_rad * px_per_rad, parameters.line_sigma * parameters.line_sigma);
+    const double line_sigma = refined ? parameters.refined_line_sigma : parameters.line_sigma;
+    input(0, 0) = std::max(bearing_variance * px_per_rad * px_per_rad, line_sigma * line_sigma);
     input(1, 1) = 3.0 * input(0, 0);
     if (has_distance) {
         const double px_per_m = post.width_px / post.distance_m;
@@ -145,11 +146,28 @@ std::optional<PostObservation> observe_post(const Post& post, const Intrinsics& 
 
     PostObservation result;
     result.side = post.side;
+    result.refined = refined;
     result.azimuth = wrap_angle(at.middle_azimuth + w * between);
     result.covariance(0, 0) = mix * C * mix.transpose();
     double nearness = at.inverse_distance;  // for the parallax of the camera's own position error
+    double distance_floor = parameters.distance_floor;
+    double distance_fraction_floor = parameters.distance_fraction_floor;
+    double azimuth_floor = parameters.azimuth_floor;
+    if (refined) {
+        // What turns every post of the frame alike; what roll and pitch do beside that stays with each post.
+        result.common_azimuth_variance = std::min(pose.covariance(5, 5), result.covariance(0, 0));
+        distance_floor = parameters.refined_distance_floor;
+        distance_fraction_floor = parameters.refined_distance_fraction_floor;
+        azimuth_floor = parameters.refined_azimuth_floor;
+    }
     if (has_distance) {
-        if (parameters.distance == "message") {
+        if (refined) {
+            nearness = 1.0 / post.distance_m;
+            result.covariance(1, 1) = std::max(0.0, post.covariance(0, 0)) * std::pow(nearness, 4);
+            const double azimuth_per_bearing = -mix.dot(J.col(0)) * px_per_rad;
+            result.covariance(0, 1) = result.covariance(1, 0) =
+                -azimuth_per_bearing * post.covariance(0, 1) * nearness * nearness;
+        } else if (parameters.distance == "message") {
             nearness = 1.0 / post.distance_m;
             const double variance = std::max(0.0, post.covariance(0, 0));
             result.covariance(1, 1) = variance * std::pow(nearness, 4);
@@ -161,13 +179,12 @@ std::optional<PostObservation> observe_post(const Post& post, const Intrinsics& 
         if (!(nearness * radius < 0.999) || !(nearness > 1e-3)) return std::nullopt;
         result.has_distance = true;
         result.inverse_distance = nearness;
-        const double floor =
-            std::hypot(parameters.distance_floor, parameters.distance_fraction_floor / nearness);
+        const double floor = std::hypot(distance_floor, distance_fraction_floor / nearness);
         const double camera_variance = 0.5 * (pose.covariance(0, 0) + pose.covariance(1, 1));
         result.covariance(1, 1) += (floor * floor + camera_variance) * std::pow(nearness, 4) + 1e-10;
         result.covariance(0, 0) += camera_variance * nearness * nearness;
     }
-    result.covariance(0, 0) += parameters.azimuth_floor * parameters.azimuth_floor;
+    result.covariance(0, 0) += azimuth_floor * azimuth_floor;
     if (!std::isfinite(result.azimuth) || !std::isfinite(result.inverse_distance) ||
         !result.covariance.allFinite()) {
         return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include "core/detection/post.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/camera_pose.h"
 #include "core/parameters/parameters.h"
 
 #include <optional>
@@ -9,16 +10,8 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 namespace goalmouth {
-
-/// Where the camera was in body frame B: T_BC, and the covariance of (translation [m], rotation vector in B
-/// [rad]).
-struct CameraPose {
-    Eigen::Isometry3d T_BC = Eigen::Isometry3d::Identity();
-    Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
-};
 
 /// One post as the filter uses it: the direction and nearness of its axis, horizontally, from the camera's
 /// centre.
@@ -27,6 +20,10 @@ struct PostObservation {
     bool has_distance = false;
     double inverse_distance = 0.0;  // [1/m] of the horizontal distance; 0 without has_distance
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  // of (azimuth [rad], inverse distance [1/m])
+    /// [rad²] of covariance(0, 0): an error of the azimuth that all posts of the frame which have such a part
+    /// have alike. 0: none.
+    double common_azimuth_variance = 0.0;
+    bool refined = false;
     PostSide side = PostSide::unknown;
 };
 
@@ -45,6 +42,10 @@ struct ObservationParameters {
     double distance_floor = 0.03;
     double distance_fraction_floor = 0.05;
     double line_sigma = 0.5;
+    double refined_azimuth_floor = 0.004;
+    double refined_distance_floor = 0.01;
+    double refined_distance_fraction_floor = 0.007;
+    double refined_line_sigma = 0.05;
     int most_posts = 4;
     double camera_height = 0.45;
     double camera_pitch = 0.0;
@@ -62,6 +63,14 @@ void describe_parameters(Visitor& v, ObservationParameters& p) {
     v("distance_fraction_floor", p.distance_fraction_floor, Range{0, 1}, "1",
       "σ added to every distance, as a fraction of it: post diameter, focal length, shading");
     v("line_sigma", p.line_sigma, Range{0.05, 50}, "px", "least σ of a post's middle line across its axis");
+    v("refined_azimuth_floor", p.refined_azimuth_floor, Range{0.0001, 1}, "rad",
+      "in place of azimuth_floor for refined posts: principal point, rolling shutter, the field's map");
+    v("refined_distance_floor", p.refined_distance_floor, Range{0, 5}, "m",
+      "in place of distance_floor for refined posts: the field's map");
+    v("refined_distance_fraction_floor", p.refined_distance_fraction_floor, Range{0, 1}, "1",
+      "in place of distance_fraction_floor for refined posts: post diameter and focal length, 0.5 % each");
+    v("refined_line_sigma", p.refined_line_sigma, Range{0.001, 50}, "px",
+      "in place of line_sigma for refined posts");
     v("most_posts", p.most_posts, Range{1, 6}, "1", "posts of one frame that are used, widest first");
     v("camera_height", p.camera_height, Range{0.05, 3}, "m", "above the ground, where no kinematics come");
     v("camera_pitch", p.camera_pitch, Range{-1.5, 1.5}, "rad", "looking down, where no kinematics come");
@@ -98,7 +107,14 @@ CameraPose assumed_camera(const ObservationParameters& parameters);
 /// the filter compares 1/D.
 ///
 /// The camera's position errors and the floors are added. The camera's yaw error is common to all posts of a
-/// frame; it is counted for each of them. Nothing where the post says nothing.
+/// frame; it is counted for each of them.
+///
+/// A refined post (flag `refined`) is taken by its own distance, which is along the ground, and by its own
+/// covariance, with the floors for refined posts. For it α is as good as α_plane, which depends on T_BC by
+/// the rotation about the vertical alone: that part of its variance is `common_azimuth_variance`. The angle
+/// between two refined posts is then as good as the pixels, whatever the camera's yaw.
+///
+/// Nothing where the post says nothing.
 std::optional<PostObservation> observe_post(const Post& post, const Intrinsics& camera,
                                             const CameraPose& pose, double post_diameter,
                                             const ObservationParameters& parameters);

@@ -1,6 +1,7 @@
 #include "core/localisation/particle_filter.h"
 
 #include "core/localisation/pose_candidates.h"
+#include "core/localisation/regularisation.h"
 #include "core/localisation/resampling.h"
 
 #include <algorithm>
@@ -58,6 +59,18 @@ void ParticleFilter::weigh(const FrameObservation& frame, double seconds) {
     const double share = frame.posts.empty() ? 0.0 : model_.news(since_posts_);
     if (!frame.posts.empty()) since_posts_ = 0.0;
 
+    // p^α of a normal density is one of 1/α times the variance: what a kernel spans is added to that.
+    const bool any_refined = std::any_of(frame.posts.begin(), frame.posts.end(),
+                                         [](const PostObservation& z) { return z.refined; });
+    FrameObservation wide;
+    FrameObservation tempered_wide;
+    if (any_refined) {
+        const PoseHypothesis belief = cluster(particles_, parameters_.clusters).front();
+        const double kernel = kernel_share(particles_.size());
+        wide = widened(frame, belief, kernel);
+        tempered_wide = widened(frame, belief, share * kernel);
+    }
+
     // w p(z|x)^α becomes the weight; w p(z|x), the whole of what the frame says, tells which of its posts are
     // posts of the field.
     std::vector<double> tempered(particles_.size());
@@ -66,11 +79,12 @@ void ParticleFilter::weigh(const FrameObservation& frame, double seconds) {
     double explained = 0.0;
     for (std::size_t i = 0; i < particles_.size(); ++i) {
         const Particle& p = particles_[i];
-        const auto likelihood = model_.likelihood(p.pose, frame);
+        const auto likelihood = model_.likelihood(p.pose, any_refined ? wide : frame);
+        const double log = any_refined ? model_.likelihood(p.pose, tempered_wide).log : likelihood.log;
         explained_each[i] = likelihood.explained_each;
         explained += p.weight * likelihood.explained;
         const double before = std::log(std::max(p.weight, 1e-300));
-        tempered[i] = before + share * likelihood.log + place_share * model_.log_place(p.pose);
+        tempered[i] = before + share * log + place_share * model_.log_place(p.pose);
         whole[i] = before + likelihood.log;
     }
     exponentiate(tempered);

@@ -75,7 +75,8 @@ class ParticleFilter {
     /// p(z|x)^α with α by SensorModel::news of the time since posts were last seen. Resamples when the
     /// effective sample size is low; injects poses (augmented MCL: by the running mean of the share of
     /// observations the belief explained before it saw them, which, unlike the mean likelihood, does not
-    /// depend on how many posts there are or how far).
+    /// depend on how many posts there are or how far). For refined posts each particle stands for its
+    /// neighbourhood (regularisation.h).
     void update(const FrameObservation& frame, double seconds, Random& random);
 
     const Particles& particles() const { return particles_; }

@@ -15,10 +15,12 @@ struct Draw {
     double distance;  // 0 where not measured
 };
 
-Draw draw(const PostObservation& z, Random& random) {
-    const double sa = std::sqrt(z.covariance(0, 0));
+/// `common`: the error that all azimuths of the frame have alike, in its sigmas.
+Draw draw(const PostObservation& z, double common, Random& random) {
+    const double sa = std::sqrt(z.covariance(0, 0) - z.common_azimuth_variance);
     const double u = random.normal();
     Draw result{z.azimuth + sa * u, 0.0};
+    if (z.common_azimuth_variance > 0.0) result.azimuth += std::sqrt(z.common_azimuth_variance) * common;
     if (z.has_distance) {
         const double slope = z.covariance(0, 1) / sa;
         const double rest = std::sqrt(std::max(0.0, z.covariance(1, 1) - slope * slope));
@@ -26,6 +28,14 @@ Draw draw(const PostObservation& z, Random& random) {
         result.distance = 1.0 / std::max(inverse, 0.2 * z.inverse_distance);
     }
     return result;
+}
+
+/// Nothing is drawn where nothing is in common.
+double draw_common(const FrameObservation& frame, Random& random) {
+    for (const PostObservation& z : frame.posts) {
+        if (z.common_azimuth_variance > 0.0) return random.normal();
+    }
+    return 0.0;
 }
 
 /// The body whose camera stands at `camera_W` and sees `post` under `azimuth`.
@@ -52,8 +62,9 @@ std::optional<Pose2> draw_from_pair(const FrameObservation& frame, const SensorM
         const PostObservation& zb = frame.posts[b];
         if (!za.has_distance || !zb.has_distance) continue;
         if (!SensorModel::is_side(k, za.side) || !SensorModel::is_side(l, zb.side)) continue;
-        const Draw da = draw(za, random);
-        const Draw db = draw(zb, random);
+        const double common = draw_common(frame, random);
+        const Draw da = draw(za, common, random);
+        const Draw db = draw(zb, common, random);
         const auto found = pose_from_pair(model.posts()[k], model.posts()[l], frame.camera, da.azimuth,
                                           da.distance, db.azimuth, 1.0 / zb.inverse_distance);
         if (!found) continue;
@@ -72,7 +83,7 @@ std::optional<Pose2> draw_from_circle(const FrameObservation& frame, const Senso
         const PostObservation& z = frame.posts[random.index(count)];
         const std::uint32_t k = random.index(4);
         if (!SensorModel::is_side(k, z.side)) continue;
-        const Draw d = draw(z, random);
+        const Draw d = draw(z, draw_common(frame, random), random);
         const Eigen::Vector2d& post = model.posts()[k];
         // Where only the direction is known, any place as near as the far corners of the field is as good as
         // another.

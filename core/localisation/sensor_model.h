@@ -48,6 +48,14 @@ void describe_parameters(Visitor& v, SensorModelParameters& p) {
 /// − e, e or ½ as the detector's left/right agrees with the post, disagrees, or is not known (e
 /// `wrong_side_share`). "Left" is as seen from the field: y > 0 at the opponents' goal, y < 0 at the own. The
 /// sum is built observation by observation over sets of posts taken.
+///
+/// Where observations have an azimuth error in common (PostObservation::common_azimuth_variance s), the
+/// product is over what is theirs alone, and the common error is integrated out of each assignment: with r_i
+/// the azimuth's residual given that of 1/distance and v_i its variance, the product's factor is
+///
+///     exp(½ s S_1² / (1 + s S_0)) / √(1 + s S_0),    S_1 = Σ r_i / v_i,  S_0 = Σ 1 / v_i
+///
+/// over the observations that the assignment takes for posts. The assignments are then summed one by one.
 class SensorModel {
   public:
     SensorModel(const Field& field, const SensorModelParameters& parameters);
@@ -79,6 +87,8 @@ class SensorModel {
     static bool is_side(std::size_t post, PostSide side);
 
   private:
+    Likelihood likelihood_with_common_error(const Pose2& pose, const FrameObservation& frame) const;
+
     SensorModelParameters parameters_;
     std::array<Eigen::Vector2d, 4> posts_;
     double carpet_x_;

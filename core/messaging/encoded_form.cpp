@@ -18,6 +18,7 @@ constexpr std::size_t largest_message = std::size_t{1}
 
 constexpr std::size_t intrinsics = 2 * i32 + 9 * f64;
 constexpr std::size_t post = 8 * f64 + i32 + i8 + 3 * f64 + 4 * f64 + 2 * i32;
+constexpr std::size_t distance_cue = i8 + 2 * f64;
 constexpr std::size_t pose_hypothesis = 4 * f64 + 9 * f64;
 constexpr std::size_t truth_post = i32 + 4 * f64 + 8 * f64 + f64;
 
@@ -63,6 +64,10 @@ class Walk {
     Walk& table(std::size_t element) {
         const std::size_t rows = count();
         return skip(rows * element);
+    }
+
+    Walk& refined_post() {
+        return skip(i8).text().skip(f64 + 4 * i32 + 6 * f64 + 2 * (i8 + 2 * f64)).table(distance_cue);
     }
 
     bool good() const { return fits_; }
@@ -130,6 +135,22 @@ bool lengths_add_up(const post_t&, std::span<const std::uint8_t> encoded) {
 
 bool lengths_add_up(const posts_t&, std::span<const std::uint8_t> encoded) {
     return Walk(encoded).skip(2 * i64 + intrinsics).text().table(post).done();
+}
+
+bool lengths_add_up(const distance_cue_t&, std::span<const std::uint8_t> encoded) {
+    return Walk(encoded).skip(distance_cue).done();
+}
+
+bool lengths_add_up(const refined_post_t&, std::span<const std::uint8_t> encoded) {
+    return Walk(encoded).refined_post().done();
+}
+
+bool lengths_add_up(const refinement_t&, std::span<const std::uint8_t> encoded) {
+    Walk walk(encoded);
+    walk.skip(2 * i64);
+    const std::size_t posts = walk.count();
+    for (std::size_t i = 0; i < posts && walk.good(); ++i) walk.refined_post();
+    return walk.done();
 }
 
 bool lengths_add_up(const odometry_t&, std::span<const std::uint8_t> encoded) {

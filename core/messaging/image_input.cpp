@@ -61,7 +61,7 @@ void ImageInput::take(const std::string& channel, const image_t& image) {
                 camera->second.live.reset();
             break;
         case RingFailure::overwritten:
-            ++overwritten_;
+            miss(image);
             break;
         default:
             bus_.reject(channel, "a descriptor of an impossible place");
@@ -85,6 +85,11 @@ void ImageInput::take(const std::string& channel, const image_slice_t& slice) {
     }
 }
 
+void ImageInput::miss(const image_t& descriptor) {
+    ++overwritten_;
+    if (missed_) missed_(descriptor);
+}
+
 /// Into decoded_. False where that is not to be had, and counted.
 bool ImageInput::decode_jpeg(const std::string& channel, const image_t& image,
                              const std::optional<RingFrame>& ring_frame) {
@@ -95,7 +100,7 @@ bool ImageInput::decode_jpeg(const std::string& channel, const image_t& image,
             fit(compressed_, shared.size());
             std::copy(shared.begin(), shared.end(), compressed_.begin());
             if (!ring_frame->still_valid()) {
-                ++overwritten_;
+                miss(image);
                 return false;
             }
             jpeg = compressed_;
@@ -105,8 +110,10 @@ bool ImageInput::decode_jpeg(const std::string& channel, const image_t& image,
             bus_.reject(channel, "a JPEG of another size than its message says");
             return false;
         }
-        if (decoded_.width != width || decoded_.height != height) decoded_ = YuyvImage(width, height);
-        decoder_.decode(jpeg, decoded_.data);
+        // What somebody has kept stays as it is.
+        if (!decoded_ || decoded_.use_count() > 1 || decoded_->width != width || decoded_->height != height)
+            decoded_ = std::make_shared<YuyvImage>(width, height);
+        decoder_.decode(jpeg, decoded_->data);
     } catch (const std::exception&) {
         bus_.reject(channel, "a JPEG that does not decode");
         return false;
@@ -120,7 +127,8 @@ void ImageInput::hand_out(const std::string& channel, const image_t& image,
     frame.live = ring_frame.has_value();
     if (image.encoding == "jpeg") {
         if (!decode_jpeg(channel, image, ring_frame)) return;
-        frame.pixels = decoded_.view();
+        frame.pixels = decoded_->view();
+        frame.decoded = decoded_;
     } else {
         const auto bytes = ring_frame ? ring_frame->bytes() : std::span<const std::uint8_t>(image.data);
         frame.pixels = {bytes.data(), image.width, image.height, image.row_stride};

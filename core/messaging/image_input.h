@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <goalmouth/image_slice_t.hpp>
@@ -18,7 +20,8 @@
 
 namespace goalmouth {
 
-/// A camera frame as a module sees it, wherever its pixels stand. Lasts for the call it is handed to.
+/// A camera frame as a module sees it, wherever its pixels stand. Lasts for the call it is handed to; who
+/// needs it longer keeps it in KeptFrames (core/messaging/kept_frames.h).
 struct Frame {
     std::int64_t utime = 0;  // µs, capture time
     std::int64_t seq = 0;
@@ -34,8 +37,9 @@ struct Frame {
     /// overwritten them.
     bool still_valid() const { return !ring_frame || ring_frame->still_valid(); }
 
-    bool live = false;                    // came by shared memory
-    std::optional<RingFrame> ring_frame;  // where the pixels stand in a ring: live and not compressed
+    bool live = false;                         // came by shared memory
+    std::optional<RingFrame> ring_frame;       // where the pixels stand in a ring: live and not compressed
+    std::shared_ptr<const YuyvImage> decoded;  // where they were a JPEG
 };
 
 /// The receiving end of a camera, for every module that looks at pixels: frames from shared memory as they
@@ -51,12 +55,15 @@ struct Frame {
 class ImageInput {
   public:
     using Handler = std::function<void(const Frame&)>;
+    /// Of a descriptor whose frame the camera has overwritten before it could be handed out.
+    using MissedHandler = std::function<void(const image_t& descriptor)>;
 
     /// Channels: image_t descriptors, self-contained image_t, image_slice_t; "" for those not to listen to.
     /// `which` is for descriptors: all of them is for who must not miss a frame and can be a few behind, as a
     /// tap.
     ImageInput(Bus& bus, const std::string& descriptors, const std::string& tap, const std::string& slices,
                Handler handler, Delivery which = Delivery::newest);
+    void on_overwritten(MissedHandler handler) { missed_ = std::move(handler); }
     ImageInput(const ImageInput&) = delete;
     ImageInput& operator=(const ImageInput&) = delete;
 
@@ -82,15 +89,17 @@ class ImageInput {
     bool is_news(const std::string& camera, Mark mark, bool self_contained) const;
     bool decode_jpeg(const std::string& channel, const image_t& image,
                      const std::optional<RingFrame>& ring_frame);
+    void miss(const image_t& descriptor);
     void hand_out(const std::string& channel, const image_t& image, std::optional<RingFrame> ring_frame);
 
     Bus& bus_;
     Handler handler_;
+    MissedHandler missed_;
     RingReader rings_;
     SliceAssembler assembler_;
     JpegDecoder decoder_;
     std::vector<std::uint8_t> compressed_;  // of a JPEG in a ring
-    YuyvImage decoded_;                     // of the frame handed out last, where it was a JPEG
+    std::shared_ptr<YuyvImage> decoded_;    // of the frame handed out last that was a JPEG
     std::map<std::string, Camera> cameras_;
     std::int64_t frames_ = 0;
     std::int64_t dropped_ = 0;

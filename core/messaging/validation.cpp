@@ -64,6 +64,20 @@ bool is_covariance(std::span<const double> c, std::size_t n) {
     return true;
 }
 
+bool is_truth_value(std::int8_t value) {
+    return value == 0 || value == 1;
+}
+
+/// Of unit length, or 0 for none.
+bool is_normal(std::span<const double, 3> n) {
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    return length == 0.0 || std::abs(length - 1.0) <= unit_slack;
+}
+
+bool is_none(std::span<const double, 3> n) {
+    return n[0] == 0.0 && n[1] == 0.0 && n[2] == 0.0;
+}
+
 Problem frame_problem(std::int64_t utime, std::int64_t seq) {
     if (utime < 0) return "utime before 1970";
     if (seq < 0) return "negative seq";
@@ -226,7 +240,7 @@ Problem problem(const post_t& m) {
     if (!finite(m.left_top) || !finite(m.left_base) || !finite(m.right_top) || !finite(m.right_base)) {
         return "a post whose corners are not finite";
     }
-    constexpr std::int32_t all_flags = 2 * post_t::NO_DISTANCE - 1;  // the last and all before it
+    constexpr std::int32_t all_flags = 2 * post_t::REFINED - 1;  // the last and all before it
     if ((m.flags & ~all_flags) != 0) return "a post with unknown flags";
     if (m.side < post_t::SIDE_UNKNOWN || m.side > post_t::SIDE_RIGHT) return "a post with an unknown side";
     if (!finite(m.width_px) || m.width_px <= 0.0) return "a post of impossible width";
@@ -247,6 +261,47 @@ Problem problem(const posts_t& m) {
     if (!is_text(m.detector)) return "a name with zero bytes";
     if (!holds(m.posts, m.num_posts)) return "sizes that disagree";
     for (const post_t& post : m.posts) {
+        if (auto cause = problem(post)) return cause;
+    }
+    return {};
+}
+
+Problem problem(const distance_cue_t& m) {
+    if (m.kind < distance_cue_t::WIDTH || m.kind > distance_cue_t::GOAL) return "an unknown distance cue";
+    if (!finite(m.distance_m) || m.distance_m <= 0.0) return "a distance cue at an impossible distance";
+    if (!finite(m.sigma_m) || m.sigma_m < 0.0) return "a distance cue of impossible sigma";
+    return {};
+}
+
+Problem problem(const refined_post_t& m) {
+    if (!is_truth_value(m.refined) || !is_truth_value(m.base_seen) || !is_truth_value(m.top_seen))
+        return "neither true nor false";
+    if (!is_text(m.reason)) return "a reason with zero bytes";
+    if (m.refined != 0 && !m.reason.empty()) return "a refined post with a reason why not";
+    if (!(m.quality >= 0.0 && m.quality <= 1.0)) return "impossible quality";
+    if (m.rows < 0 || m.iterations < 0) return "a negative count";
+    if (m.rows_left < 0 || m.rows_left > m.rows || m.rows_right < 0 || m.rows_right > m.rows)
+        return "an impossible number of rows";
+    if (!finite(m.left_plane) || !is_normal(m.left_plane) || !finite(m.right_plane) ||
+        !is_normal(m.right_plane)) {
+        return "a plane whose normal is not of unit length";
+    }
+    if ((is_none(m.left_plane) && m.rows_left != 0) || (is_none(m.right_plane) && m.rows_right != 0))
+        return "rows of an edge that was not measured";
+    if (m.refined != 0 && is_none(m.left_plane) && is_none(m.right_plane))
+        return "a refined post without an edge";
+    if (!finite(m.base) || !finite(m.top)) return "a point that is not finite";
+    if (!holds(m.cues, m.num_cues)) return "sizes that disagree";
+    for (const distance_cue_t& cue : m.cues) {
+        if (auto cause = problem(cue)) return cause;
+    }
+    return {};
+}
+
+Problem problem(const refinement_t& m) {
+    if (auto cause = frame_problem(m.utime, m.seq)) return cause;
+    if (!holds(m.posts, m.num_posts)) return "sizes that disagree";
+    for (const refined_post_t& post : m.posts) {
         if (auto cause = problem(post)) return cause;
     }
     return {};

@@ -14,6 +14,7 @@
 #include <goalmouth/particles_t.hpp>
 #include <goalmouth/pose_t.hpp>
 #include <goalmouth/posts_t.hpp>
+#include <goalmouth/refinement_t.hpp>
 #include <goalmouth/segments_t.hpp>
 #include <goalmouth/status_t.hpp>
 #include <goalmouth/truth_t.hpp>
@@ -32,6 +33,9 @@ std::optional<std::string> problem(const border_t& m);
 std::optional<std::string> problem(const candidates_t& m);
 std::optional<std::string> problem(const post_t& m);
 std::optional<std::string> problem(const posts_t& m);
+std::optional<std::string> problem(const distance_cue_t& m);
+std::optional<std::string> problem(const refined_post_t& m);
+std::optional<std::string> problem(const refinement_t& m);
 std::optional<std::string> problem(const odometry_t& m);
 std::optional<std::string> problem(const kinematics_t& m);
 std::optional<std::string> problem(const pose_hypothesis_t& m);

@@ -18,7 +18,7 @@ TEST_P(JavaTypes, DecodeEveryChannel) {
     GraphOptions options;
     options.tap = GetParam();
     options.settings = {"camera.frames_per_second=10"};
-    test::RunningGraph graph(test::shipped_graph("ransac"), options);
+    test::RunningGraph graph(test::shipped_graph("refined"), options);
     std::vector<std::string> command = {test::program("java_types").string(), "60", "STATUS"};
     for (const auto& process : graph.launcher().graph().processes) {
         for (const auto& use : process.description.info.publishes) {
@@ -28,7 +28,7 @@ TEST_P(JavaTypes, DecodeEveryChannel) {
             if (!other_form) command.push_back(channel);
         }
     }
-    ASSERT_GE(command.size(), 12U);
+    ASSERT_GE(command.size(), 14U);
     ::setenv("LCM_DEFAULT_URL", tap_url(default_lcm_url).c_str(), 1);
     test::Running java(command, test::new_mark());
     ::unsetenv("LCM_DEFAULT_URL");

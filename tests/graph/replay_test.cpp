@@ -43,10 +43,12 @@ void collect(Results& results, const std::string& channel, std::span<const std::
     if (channel == "BORDER") collect_one<border_t>(results, channel, bytes);
     if (channel == "CANDIDATES") collect_one<candidates_t>(results, channel, bytes);
     if (channel == "POSTS") collect_one<posts_t>(results, channel, bytes);
+    if (channel == "POSTS_REFINED") collect_one<posts_t>(results, channel, bytes);
     if (channel == "POSE") collect_one<pose_t>(results, channel, bytes);
 }
 
-const std::vector<std::string> compared = {"SEGMENTS", "BORDER", "CANDIDATES", "POSTS", "POSE"};
+const std::vector<std::string> compared = {"SEGMENTS", "BORDER",        "CANDIDATES",
+                                           "POSTS",    "POSTS_REFINED", "POSE"};
 
 /// A machine that also compiles need not keep up with 30 frames a second.
 GraphOptions slowly(int frames) {
@@ -97,12 +99,13 @@ std::filesystem::path two_megapixels(const std::filesystem::path& folder) {
 void record_two_megapixels(const std::filesystem::path& log, const std::string&) {
     std::filesystem::remove(log);
     GraphOptions options;
-    options.settings = {"camera.camera=" + two_megapixels(log.parent_path()).string(),
-                        "camera.frames_per_second=5",
-                        "camera.frames=6",
-                        "tap.url=off",
-                        "tap.file=" + log.string(),
-                        "tap.forward_channels=(SEGMENTS|BORDER|CANDIDATES|POSTS|POSE|ODOMETRY|KINEMATICS)"};
+    options.settings = {
+        "camera.camera=" + two_megapixels(log.parent_path()).string(),
+        "camera.frames_per_second=5",
+        "camera.frames=6",
+        "tap.url=off",
+        "tap.file=" + log.string(),
+        "tap.forward_channels=(SEGMENTS|BORDER|CANDIDATES|POSTS|POSTS_REFINED|POSE|ODOMETRY|KINEMATICS)"};
     test::RunningGraph graph(test::shipped_graph("record"), options);
     run_until_poses(graph, 3);
 }

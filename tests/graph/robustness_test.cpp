@@ -27,13 +27,7 @@ namespace {
 
 using test::RunningGraph;
 using test::shipped_graph;
-
-/// A machine that also compiles need not keep up with 30 frames a second.
-GraphOptions slowly() {
-    GraphOptions options;
-    options.settings = {"camera.frames_per_second=10", "tap.every=2"};
-    return options;
-}
+using test::slowly;
 
 double counter(const ProcessReport& process, const std::string& name) {
     if (!process.status) return 0.0;

@@ -1,10 +1,12 @@
 // The graphs that ship, with the real processes.
 
+#include "core/messaging/typed.h"
 #include "tests/graph/garbage.h"
 #include "tests/graph/processes.h"
 #include "tests/graph/running_graph.h"
 
 #include <csignal>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,13 +16,7 @@ namespace {
 
 using test::RunningGraph;
 using test::shipped_graph;
-
-/// A machine that also compiles need not keep up with 30 frames a second.
-GraphOptions slowly() {
-    GraphOptions options;
-    options.settings = {"camera.frames_per_second=10", "tap.every=2"};
-    return options;
-}
+using test::slowly;
 
 class ShippedGraph : public testing::TestWithParam<const char*> {};
 
@@ -42,14 +38,43 @@ TEST_P(ShippedGraph, FindsPostsAndItself) {
     EXPECT_THAT(test::rings_of(graph.pids()), testing::IsEmpty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Detectors, ShippedGraph, testing::Values("ransac", "histogram"),
+INSTANTIATE_TEST_SUITE_P(Detectors, ShippedGraph, testing::Values("refined", "ransac", "histogram"),
                          [](const auto& graph) { return std::string(graph.param); });
+
+TEST(RunningGraphTest, EveryPostsMessageIsRefinedOnce) {
+    RunningGraph graph(shipped_graph("refined"), slowly(), {}, RunningGraph::Start::later);
+    std::map<std::int64_t, posts_t> found;
+    std::map<std::int64_t, posts_t> refined;
+    int answers = 0;
+    int measured = 0;
+    subscribe<posts_t>(graph.bus(), "POSTS", [&](const posts_t& m) { found[m.seq] = m; });
+    subscribe<posts_t>(graph.bus(), "POSTS_REFINED", [&](const posts_t& m) {
+        refined[m.seq] = m;
+        ++answers;
+        for (const post_t& post : m.posts) measured += (post.flags & post_t::REFINED) != 0 ? 1 : 0;
+    });
+    graph.start();
+    EXPECT_TRUE(graph.until([&] { return refined.size() >= 30 && measured >= 10; })) << graph.story();
+    graph.launcher().stop();
+    EXPECT_EQ(static_cast<std::size_t>(answers), refined.size());
+    int compared = 0;
+    for (const auto& [seq, posts] : refined) {
+        const auto original = found.find(seq);
+        if (original == found.end()) continue;  // lost on its way to this listener
+        ++compared;
+        EXPECT_EQ(posts.utime, original->second.utime);
+        EXPECT_EQ(posts.num_posts, original->second.num_posts);
+        EXPECT_EQ(posts.detector, original->second.detector + " refined");
+    }
+    EXPECT_GT(compared, 20);
+    EXPECT_EQ(graph.process("refinement").restarts, 0);
+}
 
 class KilledProcess : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
 TEST_P(KilledProcess, ComesBackAndTheGraphLives) {
     const auto [victim, channel] = GetParam();
-    RunningGraph graph(shipped_graph("ransac"), slowly());
+    RunningGraph graph(shipped_graph("refined"), slowly());
     ASSERT_TRUE(graph.until_more(channel, 2)) << graph.story();
     ASSERT_TRUE(graph.until_more("POSE", 2)) << graph.story();
     const pid_t first = graph.process(victim).pid;
@@ -71,16 +96,18 @@ TEST_P(KilledProcess, ComesBackAndTheGraphLives) {
 INSTANTIATE_TEST_SUITE_P(EachInTurn, KilledProcess,
                          testing::Values(std::pair{"camera", "IMAGE"}, std::pair{"segmentation", "SEGMENTS"},
                                          std::pair{"extraction", "CANDIDATES"},
-                                         std::pair{"detection", "POSTS"}, std::pair{"localisation", "POSE"},
-                                         std::pair{"tap", "IMAGE_TAP"}),
+                                         std::pair{"detection", "POSTS"},
+                                         std::pair{"refinement", "POSTS_REFINED"},
+                                         std::pair{"localisation", "POSE"}, std::pair{"tap", "IMAGE_TAP"}),
                          [](const auto& killed) { return std::string(killed.param.first); });
 
 TEST(RunningGraphTest, GarbageOnThePortIsCountedAndSkipped) {
-    RunningGraph graph(shipped_graph("ransac"), slowly());
+    RunningGraph graph(shipped_graph("refined"), slowly());
     ASSERT_TRUE(graph.until_more("POSE", 3)) << graph.story();
-    test::send_garbage(
-        {"IMAGE", "SEGMENTS", "CANDIDATES", "POSTS", "ODOMETRY", "KINEMATICS", "STATUS", "NOBODYS"}, 20);
-    for (const char* name : {"segmentation", "extraction", "detection", "localisation"}) {
+    test::send_garbage({"IMAGE", "SEGMENTS", "CANDIDATES", "POSTS", "POSTS_REFINED", "ODOMETRY", "KINEMATICS",
+                        "STATUS", "NOBODYS"},
+                       20);
+    for (const char* name : {"segmentation", "extraction", "detection", "refinement", "localisation"}) {
         EXPECT_TRUE(graph.until([&] {
             const auto status = graph.process(name).status;
             return status && status->rejected > 0;

@@ -8,6 +8,12 @@
 
 namespace goalmouth::test {
 
+GraphOptions slowly() {
+    GraphOptions options;
+    options.settings = {"camera.frames_per_second=10", "tap.every=2"};
+    return options;
+}
+
 RunningGraph::RunningGraph(const std::string& file, GraphOptions options, const std::string& lcm_url,
                            Start when) {
     const Graph graph = load_graph(file, options);

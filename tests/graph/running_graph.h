@@ -14,6 +14,9 @@
 
 namespace goalmouth::test {
 
+/// For a graph with a simulator: a machine that also compiles need not keep up with 30 frames a second.
+GraphOptions slowly();
+
 /// A graph with its launcher, and somebody who listens to what comes out.
 class RunningGraph {
   public:

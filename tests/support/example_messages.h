@@ -159,6 +159,46 @@ inline posts_t example_posts() {
     return m;
 }
 
+inline distance_cue_t example_cue() {
+    distance_cue_t m{};
+    m.kind = distance_cue_t::BASE;
+    m.distance_m = 2.6;
+    m.sigma_m = 0.15;
+    return m;
+}
+
+/// Both edges measured, the base seen.
+inline refined_post_t example_refined_post() {
+    refined_post_t m{};
+    m.refined = 1;
+    m.quality = 0.9;
+    m.rows = 40;
+    m.rows_left = 38;
+    m.rows_right = 40;
+    m.iterations = 4;
+    m.left_plane[0] = 1;
+    m.right_plane[0] = -0.8;
+    m.right_plane[2] = 0.6;
+    m.base_seen = 1;
+    m.base[0] = 3.5;
+    m.base[1] = 3;
+    m.num_cues = 2;
+    m.cues = {example_cue(), example_cue()};
+    m.cues[0].kind = distance_cue_t::WIDTH;
+    return m;
+}
+
+/// The second post was not measured.
+inline refinement_t example_refinement() {
+    refinement_t m{};
+    m.utime = 1'000'000;
+    m.seq = 7;
+    m.num_posts = 2;
+    m.posts = {example_refined_post(), refined_post_t{}};
+    m.posts[1].reason = "no picture";
+    return m;
+}
+
 inline odometry_t example_odometry() {
     odometry_t m{};
     m.utime = 1'000'000;
@@ -267,6 +307,7 @@ void for_each_example(F f) {
     f(example_border());
     f(example_candidates());
     f(example_posts());
+    f(example_refinement());
     f(example_odometry());
     f(example_kinematics());
     f(example_pose());
@@ -275,6 +316,8 @@ void for_each_example(F f) {
     f(example_status());
     f(example_intrinsics());
     f(example_post());
+    f(example_cue());
+    f(example_refined_post());
     f(example_hypothesis());
 }
 

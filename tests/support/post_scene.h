@@ -4,8 +4,11 @@
 #include "core/imaging/colour_table.h"
 #include "core/imaging/yuyv.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <random>
 
 #include <goalmouth/image_t.hpp>
 
@@ -39,6 +42,38 @@ inline YuyvImage scene_image(const PostScene& s = {}) {
             pair[1] = static_cast<std::uint8_t>((a.cb + b.cb) / 2);
             pair[2] = b.y;
             pair[3] = static_cast<std::uint8_t>((a.cr + b.cr) / 2);
+        }
+    }
+    return image;
+}
+
+/// The same as a lens and a sensor would have it: blurred by a pixel, with noise.
+inline YuyvImage lifelike_scene_image(const PostScene& s = {}, unsigned seed = 1) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0.0, 1.5);
+    const auto at = [&](int x, int y, auto component) {
+        constexpr double weights[] = {0.06, 0.24, 0.4, 0.24, 0.06};
+        double sum = 0.0;
+        for (int i = 0; i < 5; ++i) {
+            for (int j = 0; j < 5; ++j)
+                sum += weights[i] * weights[j] * component(scene_colour(s, x + j - 2, y + i - 2));
+        }
+        return sum;
+    };
+    const auto byte = [&](double value) {
+        return static_cast<std::uint8_t>(std::clamp(std::lround(value + noise(random)), 0L, 255L));
+    };
+    YuyvImage image(s.width, s.height);
+    for (int y = 0; y < s.height; ++y) {
+        for (int x = 0; x < s.width; x += 2) {
+            const auto pair_of = [&](auto component) {
+                return 0.5 * (at(x, y, component) + at(x + 1, y, component));
+            };
+            std::uint8_t* pair = image.data.data() + y * image.stride() + 2 * x;
+            pair[0] = byte(at(x, y, [](Ycbcr c) { return static_cast<double>(c.y); }));
+            pair[1] = byte(pair_of([](Ycbcr c) { return static_cast<double>(c.cb); }));
+            pair[2] = byte(at(x + 1, y, [](Ycbcr c) { return static_cast<double>(c.y); }));
+            pair[3] = byte(pair_of([](Ycbcr c) { return static_cast<double>(c.cr); }));
         }
     }
     return image;

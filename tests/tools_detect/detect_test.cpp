@@ -31,15 +31,25 @@ struct Detect : testing::Test {
               "detection_ransac}\n");
         write_yuyv(folder.path() / "scene.yuyv", scene_image().view());
         cv::imwrite(path("scene.png"), bgr_from_yuyv(scene_image().view()));
+        write_yuyv(folder.path() / "lifelike.yuyv", lifelike_scene_image().view());
     }
     std::string path(const std::string& name) const { return (folder.path() / name).string(); }
     void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
 
+    /// The scene's graph with its posts refined, and localisation behind that.
+    std::string refining() const {
+        write("refined.yaml",
+              "extends: graph.yaml\nexternal: [IMAGE, KINEMATICS, ODOMETRY]\nprocesses:\n"
+              "  - {name: refinement, executable: refinement}\n"
+              "  - {name: localisation, executable: localisation, channels: {POSTS: POSTS_REFINED}}\n");
+        return path("refined.yaml");
+    }
     /// Exit code of `goalmouth detect` with the scene's graph and table.
     int run(std::vector<std::string> arguments, std::string target = {}) const {
         if (target.empty()) target = path("out.json");
-        arguments.insert(arguments.begin(), {"detect", "--graph", path("graph.yaml"), "--colours",
-                                             path("table.gmct"), "--json", target});
+        arguments.insert(arguments.begin(), {"detect", "--colours", path("table.gmct"), "--json", target});
+        if (std::find(arguments.begin(), arguments.end(), "--graph") == arguments.end())
+            arguments.insert(arguments.end(), {"--graph", path("graph.yaml")});
         CLI::App app;
         Action action;
         add_detect_verb(app, action);
@@ -68,6 +78,70 @@ TEST_F(Detect, ReportsPostBorderAndTimes) {
     EXPECT_EQ(j[0]["border"].size(), 2U);
     for (const char* stage : {"segmentation", "extraction", "detection"})
         EXPECT_GT(j[0]["milliseconds"][stage].get<double>(), 0.0);
+}
+
+TEST_F(Detect, RefinesWhereTheGraphDoesUnlessToldNotTo) {
+    ASSERT_EQ(run({path("lifelike.yuyv"), "--size", "320x240", "--graph", refining()}), 0);
+    const json refined = report()[0];
+    ASSERT_EQ(refined["posts"].size(), 1U) << "not the detector's and the refined one beside it";
+    const json& post = refined["posts"][0];
+    EXPECT_EQ(post["detector"], "detection_ransac refined");
+    EXPECT_TRUE(post["refined"].get<bool>()) << post["refinement"]["reason"];
+    EXPECT_EQ(post["refinement"]["reason"], "");
+    EXPECT_GT(post["refinement"]["quality"].get<double>(), 0.5);
+    EXPECT_FALSE(post["refinement"]["cues"].empty());
+    EXPECT_GT(post["sigma_m"].get<double>(), 0.0);
+    EXPECT_LT(post["sigma_m"].get<double>(), 0.1 * post["distance_m"].get<double>());
+    EXPECT_NEAR(post["left"][1][0].get<double>(), 149.5, 0.3);
+    EXPECT_GT(refined["milliseconds"]["refinement"].get<double>(), 0.0);
+    EXPECT_FALSE(refined["milliseconds"].contains("localisation"));
+
+    ASSERT_EQ(run({path("lifelike.yuyv"), "--size", "320x240"}), 0);
+    const json plain = report()[0];
+    ASSERT_EQ(run({path("lifelike.yuyv"), "--size", "320x240", "--graph", refining(), "--no-refine"}), 0);
+    EXPECT_EQ(report()[0]["posts"], plain["posts"]);
+    EXPECT_FALSE(plain["posts"][0]["refined"].get<bool>());
+    EXPECT_FALSE(plain["posts"][0].contains("refinement"));
+    EXPECT_FALSE(report()[0]["milliseconds"].contains("refinement"));
+    EXPECT_GT(plain["posts"][0]["sigma_m"].get<double>(), post["sigma_m"].get<double>());
+}
+
+TEST_F(Detect, OfAPictureDoesNotDependOnThoseBeforeWhenRefining) {
+    const std::string graph = refining();
+    ASSERT_EQ(run({path("lifelike.yuyv"), "--size", "320x240", "--graph", graph}), 0);
+    const json alone = report()[0]["posts"];
+    ASSERT_EQ(run({path("scene.yuyv"), path("lifelike.yuyv"), path("lifelike.yuyv"), "--size", "320x240",
+                   "--graph", graph}),
+              0);
+    EXPECT_EQ(report()[1]["posts"], alone);
+    EXPECT_EQ(report()[2]["posts"], alone);
+}
+
+TEST_F(Detect, RefinesWithTheCameraPoseWhereKnown) {
+    ASSERT_EQ(run({path("lifelike.yuyv"), "--size", "320x240", "--graph", refining(), "--height", "0.4",
+                   "--pitch", "0.1"}),
+              0);
+    EXPECT_TRUE(report()[0]["posts"][0]["refined"].get<bool>());
+}
+
+TEST_F(Detect, TextTellsARefinedDistanceToTheMillimetre) {
+    testing::internal::CaptureStdout();
+    ASSERT_EQ(run({path("lifelike.yuyv"), "--size", "320x240", "--graph", refining()}), 0);
+    const std::string said = testing::internal::GetCapturedStdout();
+    EXPECT_NE(said.find("refined"), std::string::npos) << said;
+}
+
+TEST_F(Detect, DrawsRefinedEdges) {
+    ASSERT_EQ(run({path("lifelike.yuyv"), "--size", "320x240", "--graph", refining(), "--overlay",
+                   path("refined")}),
+              0);
+    ASSERT_EQ(run({path("lifelike.yuyv"), "--size", "320x240", "--graph", refining(), "--overlay",
+                   path("plain"), "--no-refine"}),
+              0);
+    const cv::Mat refined = cv::imread(path("refined/lifelike.png"));
+    const cv::Mat plain = cv::imread(path("plain/lifelike.png"));
+    ASSERT_EQ(refined.size(), plain.size());
+    EXPECT_GT(cv::norm(refined, plain, cv::NORM_L1), 0.0);
 }
 
 TEST_F(Detect, OfAPictureDoesNotDependOnThoseBefore) {

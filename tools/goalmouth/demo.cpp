@@ -109,7 +109,7 @@ Graph graph_for(const DemoOptions& options) {
     GraphOptions graph_options;
     graph_options.settings = options.settings;
     if (options.images.empty())
-        return load_graph(options.graph.empty() ? "ransac" : options.graph, graph_options);
+        return load_graph(options.graph.empty() ? "refined" : options.graph, graph_options);
     if (!std::filesystem::is_directory(options.images)) {
         throw ConfigurationError("--images: " + options.images + " is not a folder");
     }
@@ -185,7 +185,7 @@ void add_demo_verb(CLI::App& app, Action& action) {
     auto* verb = app.add_subcommand(
         "demo", "Run a graph on a simulated robot, and show what it saw and where it thought it was");
     auto options = std::make_shared<DemoOptions>();
-    verb->add_option("--graph", options->graph, "graph file, or the name of one in config/graphs [ransac]")
+    verb->add_option("--graph", options->graph, "graph file, or the name of one in config/graphs [refined]")
         ->type_name("GRAPH");
     verb->add_option("--images", options->images, "real images (PNG, JPEG, PPM) instead of the simulator")
         ->type_name("DIR");

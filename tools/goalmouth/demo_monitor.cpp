@@ -58,8 +58,10 @@ double median_of(std::vector<double> values) {
 }  // namespace
 
 DemoMonitor::DemoMonitor(Bus& bus, const Graph& graph) {
-    if (const auto channel = published_channel(graph, channels::posts)) {
-        subscribe<posts_t>(bus, *channel, [this](const posts_t& m) { see_posts(m); });
+    auto posts = published_channel(graph, channels::posts_refined);
+    if (!posts) posts = published_channel(graph, channels::posts);
+    if (posts) {
+        subscribe<posts_t>(bus, *posts, [this](const posts_t& m) { see_posts(m); });
     }
     if (const auto channel = published_channel(graph, channels::border)) {
         subscribe<border_t>(bus, *channel, [this](const border_t& m) { remember(borders_, m.utime, m); });

@@ -162,6 +162,9 @@ void add_detect_verb(CLI::App& app, Action& action) {
                      "calibration, scaled to each picture's size; else the graph's");
     verb->add_option("--field", options->chain.field, "field description; else the graph's");
     verb->add_option("--colours", options->chain.colours, "colour table; else the graph's");
+    verb->add_flag_callback(
+        "--no-refine", [options] { options->chain.refine = false; },
+        "posts as the graph's detector measures them, though the graph measures them anew in the pixels");
     verb->add_option("--json", options->json,
                      "write the results there; - for standard output instead of the text");
     verb->add_option("--overlay", options->overlay,

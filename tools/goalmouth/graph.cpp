@@ -54,7 +54,7 @@ int show_graph(const GraphVerbOptions& options) {
 void add_graph_verb(CLI::App& app, Action& action) {
     auto options = std::make_shared<GraphVerbOptions>();
     CLI::App* verb = app.add_subcommand("graph", "check a graph file, and print it as a table or a picture");
-    verb->add_option("graph", options->graph, "graph file, or the name of one in config/graphs, e.g. ransac")
+    verb->add_option("graph", options->graph, "graph file, or the name of one in config/graphs, e.g. refined")
         ->type_name("GRAPH")
         ->required();
     verb->add_option("--set", options->settings,

@@ -8,6 +8,7 @@
 #include "core/conversion/odometry.h"
 #include "core/conversion/pose.h"
 #include "core/conversion/posts.h"
+#include "core/conversion/refinement.h"
 #include "core/messaging/channels.h"
 #include "core/messaging/memory_bus.h"
 #include "core/messaging/typed.h"
@@ -25,6 +26,7 @@
 #include <goalmouth/image_t.hpp>
 #include <goalmouth/pose_t.hpp>
 #include <goalmouth/posts_t.hpp>
+#include <goalmouth/refinement_t.hpp>
 
 namespace goalmouth {
 namespace {
@@ -34,6 +36,29 @@ namespace fs = std::filesystem;
 bool publishes_type(const GraphProcess& process, const std::string& type) {
     const auto& uses = process.description.info.publishes;
     return std::any_of(uses.begin(), uses.end(), [&](const ChannelUse& use) { return use.type == type; });
+}
+
+bool subscribes_type(const GraphProcess& process, const std::string& type) {
+    const auto& uses = process.description.info.subscribes;
+    return std::any_of(uses.begin(), uses.end(), [&](const ChannelUse& use) { return use.type == type; });
+}
+
+/// Posts in, the same posts out.
+bool refines(const GraphProcess& process) {
+    return subscribes_type(process, "posts_t") && publishes_type(process, "posts_t");
+}
+
+/// Whether a process looks at pictures beside what others found in them. In a chain all that is known of a
+/// picture comes before that: nothing is to be waited for.
+void wait_for_nothing(std::vector<GraphProcess>& stages) {
+    constexpr const char* wait = "timing.wait";
+    for (GraphProcess& process : stages) {
+        const auto& parameters = process.description.parameters;
+        const bool waits = std::any_of(parameters.begin(), parameters.end(),
+                                       [&](const ParameterInfo& p) { return p.key == wait; });
+        if (refines(process) && waits)
+            process.settings.push_back({wait, "0", {"one picture after the other", 0}, {}});
+    }
 }
 
 /// The processes between pictures and messages of type `result`: those that publish it, and whatever they get
@@ -136,6 +161,7 @@ struct ImageChain::State {
     void listen();
     template <class Message, class F>
     void hear(const std::string& type, F handler);
+    bool goes_on(const std::string& channel) const;
 };
 
 void ImageChain::State::add(const Graph& graph, const GraphProcess& process) {
@@ -165,10 +191,21 @@ void ImageChain::State::hear(const std::string& type, F handler) {
     std::set<std::string> names;
     for (const auto& stage : stages) {
         for (const ChannelUse& use : stage->process.description.info.publishes) {
-            if (use.type == type) names.insert(stage->process.channel(use.channel));
+            const std::string channel = stage->process.channel(use.channel);
+            if (use.type == type && !(type == "posts_t" && goes_on(channel))) names.insert(channel);
         }
     }
     for (const std::string& name : names) subscribe<Message>(hub.endpoint("results"), name, handler);
+}
+
+/// Whether posts on this channel are refined to others.
+bool ImageChain::State::goes_on(const std::string& channel) const {
+    return std::any_of(stages.begin(), stages.end(), [&](const auto& stage) {
+        const auto& uses = stage->process.description.info.subscribes;
+        return refines(stage->process) && std::any_of(uses.begin(), uses.end(), [&](const ChannelUse& use) {
+                   return use.type == "posts_t" && stage->process.channel(use.channel) == channel;
+               });
+    });
 }
 
 void ImageChain::State::listen() {
@@ -179,6 +216,15 @@ void ImageChain::State::listen() {
         for (const Post& post : from_message(m)) {
             result.posts.push_back(post);
             result.detectors.push_back(m.detector);
+            result.refinements.emplace_back();
+        }
+    });
+    // It follows the posts it is about.
+    hear<refinement_t>("refinement_t", [this](const refinement_t& m) {
+        std::size_t at = result.posts.size() - std::min(result.posts.size(), m.posts.size());
+        for (RefinedPost& how : from_message(m)) {
+            how.post = result.posts.at(at);
+            result.refinements.at(at++) = std::move(how);
         }
     });
     hear<pose_t>("pose_t", [this](const pose_t& m) { result.pose = from_message(m); });
@@ -196,6 +242,8 @@ ImageChain::ImageChain(const ImageChainOptions& options) : state_(std::make_uniq
         throw ConfigurationError(graph.file.string() + ": no process of this graph finds " +
                                  (to_pose ? "the robot's pose" : "goalposts"));
     }
+    if (!options.refine) std::erase_if(stages, refines);
+    wait_for_nothing(stages);
     override_parameter(stages, "colours", options.colours, "--colours");
     override_parameter(stages, "field", options.field, "--field");
 

@@ -7,6 +7,7 @@
 #include "core/imaging/yuyv.h"
 #include "core/localisation/belief.h"
 #include "core/localisation/frame_aligner.h"
+#include "core/refinement/refined_post.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -25,8 +26,11 @@ struct ImageResult {
     Intrinsics camera;  // used, at the picture's size
     FieldBorder border;
     Candidates candidates;
-    std::vector<Post> posts;                     // of all detectors of the graph
-    std::vector<std::string> detectors;          // beside `posts`: which program found it
+    /// Of all detectors of the graph, as they leave it: refined where the graph refines.
+    std::vector<Post> posts;
+    std::vector<std::string> detectors;  // beside `posts`: which program found it
+    /// Beside `posts`: how it was measured anew, or why not; nothing where the graph does not refine it.
+    std::vector<std::optional<RefinedPost>> refinements;
     std::optional<PoseEstimate> pose;            // of a chain that goes on to the pose
     std::map<std::string, double> milliseconds;  // by process
 };
@@ -35,7 +39,7 @@ struct ImageResult {
 enum class ChainEnd { posts, pose };
 
 struct ImageChainOptions {
-    std::string graph = "ransac";           // file, or name of one in config/graphs/
+    std::string graph = "refined";          // file, or name of one in config/graphs/
     std::vector<std::string> settings;      // "PROCESS.KEY=VALUE"
     std::filesystem::path camera;           // "": the one of the graph, else the default C905
     std::filesystem::path field;            // "": as the graph says
@@ -43,6 +47,7 @@ struct ImageChainOptions {
     std::optional<Eigen::Isometry3d> T_BC;  // of all pictures, where known
     std::optional<std::uint64_t> seed;      // in place of the graph's
     ChainEnd end = ChainEnd::posts;
+    bool refine = true;  // false: posts as their detector says, though the graph refines them
 };
 
 /// One picture for the chain, with what the robot measured as it was taken. The times of `kinematics` and

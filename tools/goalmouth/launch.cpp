@@ -67,7 +67,7 @@ void add_launch_verb(CLI::App& app, Action& action) {
     auto options = std::make_shared<LaunchOptions>();
     CLI::App* verb =
         app.add_subcommand("launch", "start the processes of a graph, and keep them alive until Ctrl-C");
-    verb->add_option("graph", options->graph, "graph file, or the name of one in config/graphs, e.g. ransac")
+    verb->add_option("graph", options->graph, "graph file, or the name of one in config/graphs, e.g. refined")
         ->type_name("GRAPH")
         ->required();
     verb->add_option("--seconds", options->seconds, "end after this time [until Ctrl-C]")

@@ -14,6 +14,7 @@ const cv::Scalar border_colour(255, 120, 0);
 const cv::Scalar left_colour(255, 255, 0);
 const cv::Scalar right_colour(255, 0, 255);
 const cv::Scalar post_colour(0, 0, 255);
+const cv::Scalar refined_colour(255, 255, 255);
 const cv::Scalar shade(0, 0, 0);
 
 /// 1 for a picture 640 px wide.
@@ -76,8 +77,13 @@ void label(cv::Mat& picture, const Eigen::Vector2d& centre, const std::string& t
 std::string text_of(const Post& post) {
     std::string text = post.side == PostSide::left ? "L " : post.side == PostSide::right ? "R " : "";
     if (post.has(post_flag::no_distance)) return text + "cut";
-    char distance[32];
-    std::snprintf(distance, sizeof distance, "%.2f m", post.distance_m);
+    char distance[48];
+    if (post.has(post_flag::refined)) {
+        std::snprintf(distance, sizeof distance, "%.3f m +-%.1f mm", post.distance_m,
+                      1000.0 * std::sqrt(post.covariance(0, 0)));
+    } else {
+        std::snprintf(distance, sizeof distance, "%.2f m", post.distance_m);
+    }
     return text + distance;
 }
 
@@ -105,9 +111,12 @@ void draw_candidates(cv::Mat& picture, const Candidates& candidates) {
 
 void draw_posts(cv::Mat& picture, const std::vector<Post>& posts) {
     for (const Post& post : posts) {
+        const bool refined = post.has(post_flag::refined);
         for (const bool outline : {true, false}) {
-            const cv::Scalar& colour = outline ? shade : post_colour;
-            const int width = strokes(picture, outline ? 3.0 : 1.0);
+            // A thick line hides what it lies on to a fraction of a pixel.
+            if (outline && refined) continue;
+            const cv::Scalar& colour = outline ? shade : refined ? refined_colour : post_colour;
+            const int width = refined ? 1 : strokes(picture, outline ? 3.0 : 1.0);
             const auto edge = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b, bool seen) {
                 seen ? line(picture, a, b, colour, width) : dashed(picture, a, b, colour, width);
             };

@@ -19,7 +19,8 @@ void draw_border(cv::Mat& picture, const FieldBorder& border);
 /// Candidate segments as faint lines, left and right edge points as dots in two colours.
 void draw_candidates(cv::Mat& picture, const Candidates& candidates);
 
-/// Each post's outline, an edge that was not seen dashed, with distance and side beside it.
+/// Each post's outline, an edge that was not seen dashed, with distance and side beside it; thin and white
+/// where it is refined.
 void draw_posts(cv::Mat& picture, const std::vector<Post>& posts);
 
 }  // namespace goalmouth

@@ -5,6 +5,7 @@
 #include "modules/detection_ransac/detection_ransac_module.h"
 #include "modules/extraction/extraction_module.h"
 #include "modules/localisation/localisation_module.h"
+#include "modules/refinement/refinement_module.h"
 #include "modules/segmentation/segmentation_module.h"
 #include "modules/simulator/simulator_module.h"
 #include "modules/tap/tap_module.h"
@@ -14,11 +15,15 @@
 namespace goalmouth {
 
 const std::vector<ModuleType>& module_types() {
-    static const std::vector<ModuleType> types{
-        module_type<CameraModule>(),          module_type<SimulatorModule>(),
-        module_type<SegmentationModule>(),    module_type<ExtractionModule>(),
-        module_type<RansacDetectionModule>(), module_type<HistogramDetectionModule>(),
-        module_type<LocalisationModule>(),    module_type<TapModule>()};
+    static const std::vector<ModuleType> types{module_type<CameraModule>(),
+                                               module_type<SimulatorModule>(),
+                                               module_type<SegmentationModule>(),
+                                               module_type<ExtractionModule>(),
+                                               module_type<RansacDetectionModule>(),
+                                               module_type<HistogramDetectionModule>(),
+                                               module_type<RefinementModule>(),
+                                               module_type<LocalisationModule>(),
+                                               module_type<TapModule>()};
     return types;
 }
 

@@ -218,7 +218,7 @@ TEST(LineScoring, CountsMorePointsThanSixteenBits) {
     });
 }
 
-TEST(LineScoring, IsSureOfAllButAHairsBreadthInPictures) {
+TEST(LineScoring, IsSureOfAllButAFewPerCentInPictures) {
     // Otherwise hypothesis after hypothesis would be counted twice.
     const auto reach = [](const Box& box) {
         const Grid grid = grid_for(box, 5.0);

@@ -233,6 +233,118 @@ TEST(PostObservation, DetectorsDistanceIsTakenWhereAsked) {
     EXPECT_NEAR(std::sqrt(z->covariance(1, 1)), 0.2 / (2.5 * 2.5), 1e-4);
 }
 
+/// As a refiner hands it on: exact to σ of 0.5 % and 0.5 mrad.
+Post refined(Post post) {
+    post.flags |= post_flag::refined;
+    post.covariance << std::pow(0.005 * post.distance_m, 2), 0, 0, 2.5e-7;
+    return post;
+}
+
+TEST(RefinedPostObservation, TakesItsOwnDistanceAndCovariance) {
+    Random random(6);
+    const ObservationParameters p;
+    for (View v : random_views(100, 0.3, random)) {
+        v.post = refined(v.post);
+        v.post.distance_m *= 1.01;  // not what its width says
+        v.post.covariance(0, 1) = v.post.covariance(1, 0) =
+            0.5 * std::sqrt(v.post.covariance(0, 0) * v.post.covariance(1, 1));
+        const auto z = observe_post(v.post, Intrinsics{}, v.camera, diameter, p);
+        ASSERT_TRUE(z && z->has_distance);
+        EXPECT_DOUBLE_EQ(z->inverse_distance, 1.0 / v.post.distance_m);
+        const double sigma = std::sqrt(z->covariance(1, 1)) * v.post.distance_m * v.post.distance_m;
+        const double floor =
+            std::hypot(p.refined_distance_floor, p.refined_distance_fraction_floor * v.post.distance_m);
+        EXPECT_NEAR(sigma, std::hypot(0.005 * v.post.distance_m / 1.01, floor), 1e-3 * sigma);
+        EXPECT_LT(z->covariance(0, 1), 0.0) << "farther and more to the left go together";
+        EXPECT_LT(std::sqrt(z->covariance(0, 0)), 0.02);
+        EXPECT_EQ(z->common_azimuth_variance, 0.0) << "a camera whose yaw is known";
+    }
+}
+
+TEST(RefinedPostObservation, OthersAreAsEver) {
+    Random random(6);
+    ObservationParameters other;
+    other.refined_azimuth_floor = 0.1;
+    other.refined_distance_floor = other.refined_distance_fraction_floor = 0.5;
+    other.refined_line_sigma = 10.0;
+    for (View v : random_views(100, 0.3, random)) {
+        v.camera.covariance.diagonal().tail<3>().setConstant(4e-4);
+        const auto a = observe_post(v.post, Intrinsics{}, v.camera, diameter, ObservationParameters{});
+        const auto b = observe_post(v.post, Intrinsics{}, v.camera, diameter, other);
+        ASSERT_TRUE(a && b);
+        EXPECT_EQ(a->covariance, b->covariance);
+        EXPECT_EQ(a->azimuth, b->azimuth);
+        EXPECT_EQ(a->inverse_distance, b->inverse_distance);
+        EXPECT_EQ(a->common_azimuth_variance, 0.0);
+    }
+}
+
+TEST(RefinedPostObservation, OneEdgeAloneGivesADirection) {
+    Random random(6);
+    for (View v : random_views(50, 0.3, random)) {
+        v.post = refined(v.post);
+        v.post.flags |= post_flag::no_distance | post_flag::left_edge_missing;
+        v.post.distance_m = 0.0;
+        const auto z = observe_post(v.post, Intrinsics{}, v.camera, diameter, ObservationParameters{});
+        ASSERT_TRUE(z);
+        EXPECT_FALSE(z->has_distance);
+        EXPECT_LT(std::sqrt(z->covariance(0, 0)), 0.02);
+    }
+}
+
+// Two posts of one frame, the camera's attitude wrong by 2° about each axis: azimuths are wrong by as much,
+// all the same way, and the angle between them is not.
+TEST(RefinedPostObservation, AzimuthErrorsOfAFrameAreCommonButForWhatCovarianceSays) {
+    Random random(8);
+    const Intrinsics intrinsics;
+    constexpr double attitude_sigma = 0.035;
+    constexpr double pixel_sigma = 0.03;
+    double square_alone = 0.0;
+    double square_between = 0.0;
+    double raw_between = 0.0;
+    constexpr int trials = 600;
+    for (int trial = 0; trial < trials; ++trial) {
+        CameraPose truth;
+        truth.T_BC = camera_in_body(0.42, random.uniform(-0.1, 0.1), random.uniform(0.0, 0.3));
+        std::vector<PostObservation> z;
+        CameraPose measured = truth;
+        const Eigen::Vector3d turn(attitude_sigma * random.normal(), attitude_sigma * random.normal(),
+                                   attitude_sigma * random.normal());
+        measured.T_BC.linear() =
+            Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() * truth.T_BC.linear();
+        measured.covariance.diagonal().tail<3>().setConstant(attitude_sigma * attitude_sigma);
+        const std::vector<Eigen::Vector2d> axes = {{3.0, 0.8}, {2.6, -0.7}};
+        for (const Eigen::Vector2d& axis : axes) {
+            Post post = *see_post(axis, diameter / 2, 0.0, 0.8, truth.T_BC, intrinsics);
+            // A line's error: in its middle, and as a turn about it.
+            const double shift = pixel_sigma * random.normal();
+            const double tilt = std::sqrt(3.0) * pixel_sigma * random.normal();
+            for (Eigen::Vector2d* corner : {&post.left_top, &post.right_top}) corner->x() += shift + tilt;
+            for (Eigen::Vector2d* corner : {&post.left_base, &post.right_base}) corner->x() += shift - tilt;
+            post.flags |= post_flag::refined;
+            post.distance_m = (axis - truth.T_BC.translation().head<2>()).norm();
+            post.covariance << 1e-4, 0, 0, std::pow(pixel_sigma / intrinsics.fx, 2);
+            ObservationParameters p;
+            p.refined_azimuth_floor = 0.0001;
+            p.refined_line_sigma = 0.001;
+            z.push_back(*observe_post(post, intrinsics, measured, diameter, p));
+        }
+        const auto error = [&](std::size_t i) {
+            return wrap_angle(z[i].azimuth - std::atan2(axes[i].y(), axes[i].x()));
+        };
+        EXPECT_GT(z[0].common_azimuth_variance, 0.9 * attitude_sigma * attitude_sigma);
+        const auto own = [&](std::size_t i) { return z[i].covariance(0, 0) - z[i].common_azimuth_variance; };
+        square_alone += std::pow(error(0), 2) / z[0].covariance(0, 0) / trials;
+        square_between += std::pow(error(0) - error(1), 2) / (own(0) + own(1)) / trials;
+        raw_between += std::pow(error(0) - error(1), 2) / trials;
+    }
+    EXPECT_NEAR(square_alone, 1.0, 0.2);
+    // Two degrees of roll and pitch also act to second order, which the covariance bounds.
+    EXPECT_GT(square_between, 0.1);
+    EXPECT_LT(square_between, 1.3);
+    EXPECT_LT(std::sqrt(raw_between), 0.1 * attitude_sigma);
+}
+
 TEST(PostObservation, WidestPostsComeFirstWhateverTheirOrder) {
     Random random(7);
     std::vector<Post> posts;

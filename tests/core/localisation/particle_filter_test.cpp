@@ -30,6 +30,7 @@ struct Trial {
     ObservationNoise noise{0.03, 0.10, 0.5};
     bool distances = true;
     bool posts = true;
+    std::optional<double> refined_yaw;  // posts are refined; σ of the camera's yaw, new in every frame
     double field_of_view = 1.05;
     Pose2 velocity{0.15, 0.0, 0.12};
 
@@ -52,6 +53,15 @@ struct Trial {
         FrameObservation seen;
         const double look = walker->goal_azimuth() + 0.5 * std::sin(frame * 0.05);
         if (posts) seen = walker->look(look, field_of_view / 2, frame_time, noise, distances);
+        if (refined_yaw) {
+            const double error = *refined_yaw * walker->random().normal();
+            for (PostObservation& z : seen.posts) {
+                z.refined = true;
+                z.azimuth = wrap_angle(z.azimuth + error);
+                z.common_azimuth_variance = *refined_yaw * *refined_yaw;
+                z.covariance(0, 0) += z.common_azimuth_variance;
+            }
+        }
         filter->update(seen, frame == 0 ? 0.0 : frame_time, random);
         ++frame;
         return filter->estimate();
@@ -93,6 +103,36 @@ TEST(ParticleFilter, ConvergesFromThePapersStart) {
     EXPECT_LT(median(positions), 0.25);
     EXPECT_LT(median(headings), 0.1);
 }
+
+/// The camera's yaw may be known badly, or so well that no particle lies within a measurement's errors.
+class RefinedPosts : public testing::TestWithParam<double> {};
+
+TEST_P(RefinedPosts, GiveAPoseToCentimetres) {
+    std::vector<double> positions;
+    std::vector<double> headings;
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        Trial trial;
+        trial.noise = {0.004, 0.008, 0.3};
+        trial.refined_yaw = GetParam();
+        trial.parameters.sensor.correlation_time = 0.3;
+        trial.parameters.motion.translation_noise = 0.1;
+        trial.parameters.motion.rotation_noise = 0.1;
+        trial.parameters.motion.drift = 0.03;
+        trial.begin(seed);
+        trial.steps(150);
+        for (int i = 0; i < 300; ++i) {
+            const PoseEstimate e = trial.step();
+            positions.push_back(position_error(e.pose, trial.walker->pose()));
+            headings.push_back(heading_error(e.pose, trial.walker->pose()));
+            ASSERT_LT(positions.back(), 0.6) << "seed " << seed << ", frame " << trial.frame;
+        }
+        EXPECT_LT(trial.filter->injected(), 20) << "seed " << seed;
+    }
+    EXPECT_LT(median(positions), 0.08);
+    EXPECT_LT(median(headings), 0.03);
+}
+
+INSTANTIATE_TEST_SUITE_P(YawSigma, RefinedPosts, testing::Values(0.0, 0.001, 0.025));
 
 TEST(ParticleFilter, GoodMeasurementsGiveAGoodPose) {
     std::vector<double> positions;

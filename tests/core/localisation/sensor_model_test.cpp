@@ -3,10 +3,14 @@
 #include "core/localisation/pose_candidates.h"
 #include "tests/core/localisation/world.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <utility>
+#include <vector>
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 namespace goalmouth {
@@ -151,6 +155,147 @@ TEST(SensorModel, StaysFiniteWherePosesAndPostsMakeNoSense) {
         frame.posts.assign(9, z);  // more than are weighed
         for (const Eigen::Vector2d& post : field.posts()) {
             const auto l = model.likelihood({post.x(), post.y(), 0.0}, frame);  // the camera stands in a post
+            EXPECT_TRUE(std::isfinite(l.log));
+            EXPECT_TRUE(std::isfinite(l.explained));
+        }
+        EXPECT_TRUE(std::isfinite(model.likelihood({1e6, -1e6, 100.0}, frame).log));
+    }
+}
+
+/// The same sum with each assignment's normal density of all its azimuths and inverse distances together, the
+/// common error as correlation between azimuths.
+double brute_force_with_common_error(const Pose2& pose, const FrameObservation& frame, const Field& field,
+                                     const SensorModelParameters& p) {
+    const Eigen::Vector2d camera = transform(pose, frame.camera);
+    std::vector<int> taken;  // post of each observation, −1 for clutter
+    std::function<double()> rest = [&]() -> double {
+        if (taken.size() < frame.posts.size()) {
+            double sum = 0.0;
+            for (int k = -1; k < 4; ++k) {
+                if (k >= 0 && std::count(taken.begin(), taken.end(), k) > 0) continue;
+                taken.push_back(k);
+                sum += rest();
+                taken.pop_back();
+            }
+            return sum;
+        }
+        double factor = 1.0;
+        std::vector<double> residuals;
+        std::vector<std::pair<std::size_t, int>> what;  // observation, 0 azimuth or 1 inverse distance
+        for (std::size_t i = 0; i < taken.size(); ++i) {
+            const PostObservation& z = frame.posts[i];
+            if (taken[i] < 0) {
+                factor *= p.clutter_share / p.clutter_azimuth_range /
+                          (z.has_distance ? p.clutter_inverse_distance_range : 1.0);
+                continue;
+            }
+            factor *= (1 - p.clutter_share) * 0.5 / 4;
+            const Eigen::Vector2d d = field.posts()[static_cast<std::size_t>(taken[i])] - camera;
+            residuals.push_back(wrap_angle(z.azimuth - (std::atan2(d.y(), d.x()) - pose.theta)));
+            what.emplace_back(i, 0);
+            if (!z.has_distance) continue;
+            residuals.push_back(z.inverse_distance - 1.0 / d.norm());
+            what.emplace_back(i, 1);
+        }
+        const auto n = static_cast<Eigen::Index>(residuals.size());
+        if (n == 0) return factor;
+        Eigen::MatrixXd C = Eigen::MatrixXd::Zero(n, n);
+        for (Eigen::Index a = 0; a < n; ++a) {
+            for (Eigen::Index b = 0; b < n; ++b) {
+                const auto [i, u] = what[static_cast<std::size_t>(a)];
+                const auto [j, v] = what[static_cast<std::size_t>(b)];
+                if (i == j) {
+                    C(a, b) = frame.posts[i].covariance(u, v);
+                } else if (u == 0 && v == 0) {
+                    C(a, b) = std::sqrt(frame.posts[i].common_azimuth_variance *
+                                        frame.posts[j].common_azimuth_variance);
+                }
+            }
+        }
+        const Eigen::Map<const Eigen::VectorXd> e(residuals.data(), n);
+        return factor * std::exp(-0.5 * e.dot(C.inverse() * e)) /
+               std::sqrt(std::pow(2 * std::numbers::pi, static_cast<double>(n)) * C.determinant());
+    };
+    return rest();
+}
+
+TEST(SensorModel, AnErrorInCommonIsACorrelationBetweenAzimuths) {
+    const Field field;
+    const SensorModelParameters p;
+    const SensorModel model(field, p);
+    Random random(3);
+    for (int trial = 0; trial < 200; ++trial) {
+        const Pose2 truth = random_pose(random);
+        Walker walker(field, truth, 300 + static_cast<std::uint64_t>(trial));
+        FrameObservation frame = walker.look(0, 3.2, 1.0, {0.03, 0.1, 0.0}, trial % 3 != 0);
+        frame.posts.resize(1 + random.index(4));
+        for (std::size_t i = 0; i < frame.posts.size(); ++i) {
+            PostObservation& z = frame.posts[i];
+            if (z.has_distance)
+                z.covariance(0, 1) = z.covariance(1, 0) =
+                    0.3 * std::sqrt(z.covariance(0, 0) * z.covariance(1, 1));
+            if (i == 1 && trial % 2 == 0) continue;  // one that is not refined
+            z.common_azimuth_variance = 0.02;
+            z.covariance(0, 0) += 0.02;
+        }
+        const Pose2 near{truth.x + 0.2 * random.normal(), truth.y + 0.2 * random.normal(),
+                         truth.theta + 0.2 * random.normal()};
+        const auto l = model.likelihood(near, frame);
+        EXPECT_NEAR(l.log, std::log(brute_force_with_common_error(near, frame, field, p)), 1e-6) << trial;
+        EXPECT_GE(l.explained, 0.0);
+        EXPECT_LE(l.explained, 1.0 + 1e-12);
+    }
+}
+
+TEST(SensorModel, AnErrorOfOneObservationIsInCommonWithNobody) {
+    const Field field;
+    const SensorModel model(field, {});
+    Walker walker(field, {-1.0, 0.3, 0.1}, 5);
+    FrameObservation frame = walker.look(0, 0.6, 1.0, {0.05, 0.05, 0.0});
+    frame.posts.resize(1);
+    const auto alone = model.likelihood({-1.1, 0.2, 0.2}, frame);
+    frame.posts[0].common_azimuth_variance = 0.6 * frame.posts[0].covariance(0, 0);
+    const auto common = model.likelihood({-1.1, 0.2, 0.2}, frame);
+    EXPECT_NEAR(common.log, alone.log, 1e-9);
+    EXPECT_NEAR(common.explained, alone.explained, 1e-9);
+    EXPECT_NEAR(common.explained_each[0], alone.explained_each[0], 1e-9);
+}
+
+TEST(SensorModel, TheAngleBetweenPostsTellsThePlaceWhateverTheYaw) {
+    // Three posts of which only the directions are known, and those but for a common turn of 0.1 rad.
+    const Field field;
+    const SensorModel model(field, {});
+    const Pose2 truth{-0.8, 0.4, 0.0};
+    FrameObservation frame;
+    for (const std::size_t k : {0U, 2U, 3U}) {
+        const Eigen::Vector2d d = field.posts()[k] - truth.position();
+        PostObservation z;
+        z.azimuth = std::atan2(d.y(), d.x()) + 0.1;
+        z.common_azimuth_variance = 0.05 * 0.05;
+        z.covariance(0, 0) = z.common_azimuth_variance + 0.003 * 0.003;
+        frame.posts.push_back(z);
+    }
+    const double here = model.likelihood(truth, frame).log;
+    for (const Eigen::Vector2d& off : {Eigen::Vector2d(0.1, 0), Eigen::Vector2d(-0.1, 0),
+                                       Eigen::Vector2d(0, 0.1), Eigen::Vector2d(0, -0.1)})
+        EXPECT_LT(model.likelihood({truth.x + off.x(), truth.y + off.y(), 0.0}, frame).log, here - 3.0);
+    EXPECT_LT(model.likelihood({truth.x, truth.y, -0.1}, frame).log, here + 2.5)
+        << "the turn is an error like others";
+}
+
+TEST(SensorModel, StaysFiniteWithAnErrorInCommon) {
+    const Field field;
+    const SensorModel model(field, {});
+    FrameObservation frame;
+    PostObservation z;
+    z.has_distance = true;
+    z.common_azimuth_variance = 1e-3;
+    z.covariance << 1e-3 + 1e-12, 0, 0, 1e-10;
+    for (const double inverse : {1e-3, 0.3, 10.0, 19.0}) {
+        z.inverse_distance = inverse;
+        frame.posts.assign(9, z);
+        for (const Eigen::Vector2d& post : field.posts()) {
+            const auto l = model.likelihood({post.x(), post.y(), 0.0}, frame);
             EXPECT_TRUE(std::isfinite(l.log));
             EXPECT_TRUE(std::isfinite(l.explained));
         }

@@ -261,7 +261,7 @@ TEST(Validation, PostsMakeSense) {
                                                [](M& m) { m.left_base[1] = infinity; },
                                                [](M& m) { m.right_top[1] = nan; },
                                                [](M& m) { m.right_base[0] = nan; },
-                                               [](M& m) { m.flags = 256; },
+                                               [](M& m) { m.flags = 512; },
                                                [](M& m) { m.flags = -1; },
                                                [](M& m) { m.side = 3; },
                                                [](M& m) { m.side = -1; },
@@ -289,6 +289,55 @@ TEST(Validation, PostsMakeSense) {
                                                 [](L& m) { m.num_posts = -1; },
                                                 [](L& m) { m.posts[1].width_px = nan; },
                                             });
+}
+
+TEST(Validation, RefinementsMakeSense) {
+    using C = distance_cue_t;
+    expect_each_refused<C>(example_cue(), {
+                                              [](C& m) { m.kind = 4; },
+                                              [](C& m) { m.kind = -1; },
+                                              [](C& m) { m.distance_m = 0; },
+                                              [](C& m) { m.distance_m = nan; },
+                                              [](C& m) { m.sigma_m = -0.1; },
+                                              [](C& m) { m.sigma_m = infinity; },
+                                          });
+    using M = refined_post_t;
+    expect_each_refused<M>(example_refined_post(), {
+                                                       [](M& m) { m.refined = 2; },
+                                                       [](M& m) { m.reason = "blurred"; },
+                                                       [](M& m) { m.reason = std::string("\0", 1); },
+                                                       [](M& m) { m.quality = -0.1; },
+                                                       [](M& m) { m.quality = 1.1; },
+                                                       [](M& m) { m.quality = nan; },
+                                                       [](M& m) { m.rows = -1; },
+                                                       [](M& m) { m.iterations = -1; },
+                                                       [](M& m) { m.rows_left = -1; },
+                                                       [](M& m) { m.rows_right = 41; },
+                                                       [](M& m) { m.left_plane[0] = 0.5; },
+                                                       [](M& m) { m.left_plane[1] = nan; },
+                                                       [](M& m) { m.left_plane[0] = 0; },
+                                                       [](M& m) { m.right_plane[2] = infinity; },
+                                                       [](M& m) {
+                                                           for (double& v : m.left_plane) v = 0;
+                                                           for (double& v : m.right_plane) v = 0;
+                                                           m.rows_left = m.rows_right = 0;
+                                                       },
+                                                       [](M& m) { m.base_seen = -1; },
+                                                       [](M& m) { m.base[0] = nan; },
+                                                       [](M& m) { m.top_seen = 3; },
+                                                       [](M& m) { m.top[1] = infinity; },
+                                                       [](M& m) { m.num_cues = 3; },
+                                                       [](M& m) { m.num_cues = -1; },
+                                                       [](M& m) { m.cues[1].kind = 9; },
+                                                   });
+    using L = refinement_t;
+    expect_each_refused<L>(example_refinement(), {
+                                                     [](L& m) { m.utime = -1; },
+                                                     [](L& m) { m.seq = -1; },
+                                                     [](L& m) { m.num_posts = 1; },
+                                                     [](L& m) { m.posts[1].quality = nan; },
+                                                 });
+    EXPECT_EQ(problem(refined_post_t{}), std::nullopt);
 }
 
 TEST(Validation, OdometryIsFinite) {

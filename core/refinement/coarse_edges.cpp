@@ -1,0 +1,232 @@
+#include "core/refinement/coarse_edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace goalmouth {
+namespace {
+
+constexpr int most_rows = 48;
+constexpr std::size_t least_crossings = 5;
+
+std::size_t place_of(OutlineSide side) {
+    return side == OutlineSide::left ? 0 : 1;
+}
+
+/// Pairs of two rows, from inside a post outwards.
+class Walk {
+  public:
+    Walk(YuyvView image, int row, const PostColour& colour)
+        : upper_(image.row(row)),
+          lower_(image.row(std::min(row + 1, image.height - 1))),
+          pairs_(image.width / 2),
+          colour_(colour) {}
+
+    bool inside(int pair) const { return pair >= 0 && pair < pairs_; }
+    Eigen::Vector3f offset(int pair) const {
+        const PairColour z = 0.5F * (pair_colour(upper_ + 4 * pair) + pair_colour(lower_ + 4 * pair));
+        return z - colour_.mean;
+    }
+    float difference(int pair) const {
+        const Eigen::Vector3f e = offset(pair);
+        return e.dot(colour_.contrast * e);
+    }
+
+  private:
+    const std::uint8_t* upper_;
+    const std::uint8_t* lower_;
+    int pairs_;
+    const PostColour& colour_;
+};
+
+/// Column [px] where the post's colour ends, on the way from pair `from` to pair `to`.
+std::optional<double> end_of_colour(const Walk& walk, const PostColour& colour, int from, int to,
+                                    float least_contrast) {
+    const int step = to < from ? -1 : 1;
+    const float alike = 10.0F * colour.spread;
+    int pair = from;
+    // An occluder may lie over the middle and leave the edge free.
+    while (pair != to && walk.inside(pair) && walk.difference(pair) > alike) pair += step;
+    for (; pair != to; pair += step) {
+        if (!walk.inside(pair + 3 * step)) return std::nullopt;
+        if (walk.difference(pair) > alike && walk.difference(pair + step) > alike) break;
+    }
+    if (pair == to) return std::nullopt;
+    const Eigen::Vector3f beyond = 0.5F * (walk.offset(pair + 2 * step) + walk.offset(pair + 3 * step));
+    const Eigen::Vector3f weights = colour.contrast * beyond;
+    const float strength = beyond.dot(weights);
+    if (strength < 2.0F * least_contrast * least_contrast) return std::nullopt;
+    float before = 0.0F;
+    for (int at = pair - step, n = 0; n < 4; at += step, ++n) {
+        if (!walk.inside(at)) return std::nullopt;
+        const float share = weights.dot(walk.offset(at)) / strength;
+        if (share >= 0.5F) {
+            const double way = n == 0 ? 0.0 : (0.5F - before) / (share - before);
+            return 2.0 * (at - step) + 0.5 + 2.0 * step * way;
+        }
+        before = share;
+    }
+    return std::nullopt;
+}
+
+/// The part of a direction that lies in a plane.
+Eigen::Vector3d along(const Eigen::Vector3d& direction, const Eigen::Vector3d& plane) {
+    return (direction - direction.dot(plane) * plane).normalized();
+}
+
+/// How well crossings lie on u = p + q·v, each at most 1.
+template <class Crossings>
+double agreement(const Crossings& crossings, double p, double q, double per_near) {
+    double sum = 0.0;
+    for (const EdgeCrossing& c : crossings) {
+        const double miss = (c.u - p - q * c.v) * per_near;
+        sum += c.weight * std::max(0.0, 1.0 - miss * miss);
+    }
+    return sum;
+}
+
+}  // namespace
+
+void CoarseEdgeFinder::collect(YuyvView image, const RoughOutline& outline, const PostColour& colour,
+                               PixelRays& rays, const CoarseSearch& search, OutlineSide side) {
+    auto& crossings = crossings_[place_of(side)];
+    crossings.clear();
+    const int rows = outline.last_row - outline.first_row + 1;
+    const int lines = std::min(most_rows, rows);
+    for (int i = 0; i < lines; ++i) {
+        const int y = outline.first_row + static_cast<int>((2LL * i + 1) * rows / (2LL * lines));
+        const double left = outline.left(y), right = outline.right(y);
+        constexpr double blur = 4.0;  // px, to start clear of the edge and to see what comes behind
+        const double inwards = std::min(search.tolerance + blur, 0.5 * (right - left));
+        const bool is_left = side == OutlineSide::left;
+        const double start = is_left ? left + inwards : right - inwards;
+        const double end = is_left ? left - search.tolerance - blur : right + search.tolerance + blur;
+        const Walk walk(image, y, colour);
+        const auto x = end_of_colour(walk, colour, static_cast<int>(std::lround(0.5 * (start - 0.5))),
+                                     static_cast<int>(std::lround(0.5 * (end - 0.5))), search.least_contrast);
+        if (!x) continue;
+        const double row = std::min(y + 0.5, image.height - 1.0);
+        const RowRay ray = rays.at(*x, row);
+        const double off = (*x - (is_left ? left : right)) / (search.tolerance + 1.0);
+        if (std::abs(off) > 1.0) continue;
+        crossings.push_back({ray.ray.x(), ray.ray.y(), 1.0 - 0.5 * off * off});
+    }
+}
+
+std::optional<CoarseEdge> CoarseEdgeFinder::line(OutlineSide side, double near) const {
+    const auto& crossings = crossings_[place_of(side)];
+    const std::size_t n = crossings.size();
+    if (n < least_crossings) return std::nullopt;
+    constexpr double most_slope = 2.0;
+    double best = 0.0, best_p = 0.0, best_q = 0.0;
+    const std::size_t least_gap = std::max<std::size_t>(1, n / 4);
+    const std::size_t gap_step = std::max<std::size_t>(1, n / 10);
+    const std::size_t start_step = std::max<std::size_t>(1, n / 20);
+    for (std::size_t gap = least_gap; gap < n; gap += gap_step) {
+        for (std::size_t i = 0; i + gap < n; i += start_step) {
+            const EdgeCrossing& a = crossings[i];
+            const EdgeCrossing& b = crossings[i + gap];
+            const double q = (b.u - a.u) / (b.v - a.v);
+            if (!(std::abs(q) < most_slope)) continue;
+            const double p = a.u - q * a.v;
+            const double score = agreement(crossings, p, q, 1.0 / near);
+            if (score > best) best = score, best_p = p, best_q = q;
+        }
+    }
+    if (!(best > 0.0)) return std::nullopt;
+    CoarseEdge edge;
+    edge.crossings = static_cast<int>(n);
+    for (int round = 0; round < 2; ++round) {
+        double w = 0.0, v = 0.0, u = 0.0, vv = 0.0, uv = 0.0;
+        edge.agreeing = 0;
+        for (const EdgeCrossing& c : crossings) {
+            if (std::abs(c.u - best_p - best_q * c.v) > near) continue;
+            ++edge.agreeing;
+            w += 1.0, v += c.v, u += c.u, vv += c.v * c.v, uv += c.u * c.v;
+        }
+        const double spread = vv - v * v / std::max(w, 1.0);
+        if (edge.agreeing < static_cast<int>(least_crossings) || !(spread > 0.0)) return std::nullopt;
+        best_q = (uv - u * v / w) / spread;
+        best_p = (u - best_q * v) / w;
+    }
+    const double sign = side == OutlineSide::left ? 1.0 : -1.0;
+    edge.plane = sign * Eigen::Vector3d(1.0, -best_q, -best_p).normalized();
+    return edge;
+}
+
+std::optional<CoarseEdge> CoarseEdgeFinder::line_along(OutlineSide side, double near,
+                                                       const Eigen::Vector3d& axis) const {
+    const auto& crossings = crossings_[place_of(side)];
+    if (crossings.size() < least_crossings || std::abs(axis.y()) < 1e-3) return std::nullopt;
+    // n = (1, −q, −p) contains the axis: q = (a_x − p·a_z) / a_y.
+    const double slope = axis.x() / axis.y(), turn = axis.z() / axis.y();
+    double best = 0.0, best_p = 0.0;
+    for (const EdgeCrossing& c : crossings) {
+        const double p = (c.u - c.v * slope) / (1.0 - c.v * turn);
+        const double score = agreement(crossings, p, slope - p * turn, 1.0 / near);
+        if (score > best) best = score, best_p = p;
+    }
+    CoarseEdge edge;
+    edge.crossings = static_cast<int>(crossings.size());
+    const double q = slope - best_p * turn;
+    for (const EdgeCrossing& c : crossings) edge.agreeing += std::abs(c.u - best_p - q * c.v) <= near ? 1 : 0;
+    if (edge.agreeing < static_cast<int>(least_crossings)) return std::nullopt;
+    const double sign = side == OutlineSide::left ? 1.0 : -1.0;
+    edge.plane = sign * Eigen::Vector3d(1.0, -q, -best_p).normalized();
+    return edge;
+}
+
+double CoarseEdgeFinder::rival_of(const CoarseEdge& edge, OutlineSide side, double near,
+                                  const Eigen::Vector3d& axis) const {
+    const auto& crossings = crossings_[place_of(side)];
+    if (std::abs(axis.y()) < 1e-3) return 0.0;
+    const double slope = axis.x() / axis.y(), turn = axis.z() / axis.y();
+    const double own_p = -edge.plane.z() / edge.plane.x(), own_q = -edge.plane.y() / edge.plane.x();
+    rivals_.clear();
+    double own = 0.0;
+    for (const EdgeCrossing& c : crossings) {
+        const double miss = std::abs(c.u - own_p - own_q * c.v);
+        if (miss < near) own += 1.0;
+        if (miss > 1.5 * near) rivals_.push_back((c.u - c.v * slope) / (1.0 - c.v * turn));
+    }
+    // The most of them within as narrow a band.
+    std::sort(rivals_.begin(), rivals_.end());
+    std::size_t most = 0;
+    for (std::size_t first = 0, last = 0; last < rivals_.size(); ++last) {
+        while (rivals_[last] - rivals_[first] > 2.0 * near) ++first;
+        most = std::max(most, last - first + 1);
+    }
+    return static_cast<double>(most) / std::max(own, 1.0);
+}
+
+CoarseEdgeFinder::Edges CoarseEdgeFinder::find(YuyvView image, const RoughOutline& outline,
+                                               const PostColour& colour, const Intrinsics& camera,
+                                               const CoarseSearch& search) {
+    PixelRays rays(camera);
+    constexpr double near_px = 1.5;
+    const double near = near_px / camera.fx;
+    Edges edges;
+    for (const OutlineSide side : {OutlineSide::left, OutlineSide::right}) {
+        collect(image, outline, colour, rays, search, side);
+        edges[place_of(side)] = line(side, near);
+    }
+    if (edges[0] && edges[1]) {
+        const PostSilhouette both = silhouette_between(edges[0]->plane, edges[1]->plane, search.up);
+        const double miss = std::abs(0.5 * (edges[0]->plane + edges[1]->plane).dot(both.up));
+        const double length = (outline.last_row - outline.first_row) / camera.fy;
+        const double allowed = 4.0 * search.lean_sigma * std::sin(std::abs(both.half_angle)) + near / length;
+        if (miss > allowed || both.half_angle <= 0.0) {
+            const OutlineSide weak =
+                edges[0]->agreeing < edges[1]->agreeing ? OutlineSide::left : OutlineSide::right;
+            const Eigen::Vector3d strong_plane = edges[1 - place_of(weak)]->plane;
+            edges[place_of(weak)] = line_along(weak, near, along(search.up, strong_plane));
+        }
+    }
+    for (const OutlineSide side : {OutlineSide::left, OutlineSide::right}) {
+        auto& edge = edges[place_of(side)];
+        if (edge) edge->rival = rival_of(*edge, side, near, along(search.up, edge->plane));
+    }
+    return edges;
+}
+
+}  // namespace goalmouth

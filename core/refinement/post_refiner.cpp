@@ -1,0 +1,178 @@
+#include "core/refinement/post_refiner.h"
+
+#include "core/refinement/post_extent.h"
+#include "core/refinement/refined_measurement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace goalmouth {
+namespace {
+
+constexpr int least_rows = 8;  // px
+
+/// Nothing where the corners are no outline of anything in the picture.
+std::optional<RoughOutline> rough_outline(const Post& post, YuyvView image) {
+    for (const Eigen::Vector2d* corner : {&post.left_top, &post.left_base, &post.right_top, &post.right_base})
+        if (!corner->allFinite() || corner->cwiseAbs().maxCoeff() > 1e5) return std::nullopt;
+    RoughOutline outline{post.left_top, post.left_base, post.right_top, post.right_base};
+    if (outline.left_top.y() > outline.left_base.y()) std::swap(outline.left_top, outline.left_base);
+    if (outline.right_top.y() > outline.right_base.y()) std::swap(outline.right_top, outline.right_base);
+    const double top = std::min(outline.left_top.y(), outline.right_top.y());
+    const double base = std::max(outline.left_base.y(), outline.right_base.y());
+    if (!(outline.left_base.y() - outline.left_top.y() > 1.0) ||
+        !(outline.right_base.y() - outline.right_top.y() > 1.0))
+        return std::nullopt;
+    outline.first_row = std::max(0, static_cast<int>(std::ceil(top)));
+    outline.last_row = std::min(image.height - 1, static_cast<int>(std::floor(base)));
+    if (outline.last_row - outline.first_row + 1 < least_rows) return std::nullopt;
+    return outline;
+}
+
+/// The silhouette that one plane and a guess of the half angle make.
+PostSilhouette silhouette_from(const Eigen::Vector3d& plane, OutlineSide side, const Eigen::Vector3d& up,
+                               double half_angle) {
+    PostSilhouette post;
+    post.up = (up - up.dot(plane) * plane).normalized();
+    const Eigen::Vector3d across = post.up.cross(plane);
+    const double sign = side == OutlineSide::left ? 1.0 : -1.0;
+    post.right = (sign * std::cos(half_angle) * plane - std::sin(half_angle) * across).normalized();
+    post.ahead = post.up.cross(post.right);
+    post.half_angle = half_angle;
+    return post;
+}
+
+double rough_half_angle(const RoughOutline& outline, const Intrinsics& camera) {
+    const double row = 0.5 * (outline.first_row + outline.last_row);
+    const double left = std::atan(normalised_from_pixel(camera, {outline.left(row), row}).x());
+    const double right = std::atan(normalised_from_pixel(camera, {outline.right(row), row}).x());
+    return 0.5 * std::abs(right - left);
+}
+
+}  // namespace
+
+PostRefiner::PostRefiner(const RefinementParameters& parameters, const Field& field)
+    : parameters_(parameters), field_(field) {}
+
+PostRefiner::Vertical PostRefiner::vertical(const std::optional<CameraPose>& pose) const {
+    Vertical result;
+    const double lean = parameters_.tilt_floor;
+    if (!pose || !pose->T_BC.matrix().allFinite() || !pose->covariance.allFinite()) {
+        result.covariance =
+            (parameters_.level_sigma * parameters_.level_sigma + lean * lean) * Eigen::Matrix3d::Identity();
+        return result;
+    }
+    const Eigen::Matrix3d R_BC = pose->T_BC.linear();
+    result.up = R_BC.transpose() * Eigen::Vector3d::UnitZ();
+    // A small turn ω in B moves the vertical, seen from C, by R_BCᵀ (e_z × ω).
+    Eigen::Matrix3d turn;
+    turn << 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0;
+    const Eigen::Matrix3d change = R_BC.transpose() * turn;
+    result.covariance = change * pose->covariance.bottomRightCorner<3, 3>() * change.transpose() +
+                        lean * lean * Eigen::Matrix3d::Identity();
+    return result;
+}
+
+const char* PostRefiner::refine_one(YuyvView image, const Intrinsics& camera, const Vertical& vertical,
+                                    RefinedPost& refined) {
+    Post& post = refined.post;
+    if (post.has(post_flag::fills_image)) return "it fills the picture: no edge in sight";
+    const auto outline = rough_outline(post, image);
+    if (!outline) return "its corners outline nothing in the picture";
+    const double width = outline->width();
+    if (!(width >= parameters_.least_width)) return "too narrow";
+
+    PostColour colour;
+    if (!colours_.estimate(image, *outline, parameters_, colour)) return "no colour of its own";
+
+    CoarseSearch search;
+    search.tolerance = std::max(parameters_.start_tolerance * width, parameters_.start_floor * image.width);
+    search.least_contrast = static_cast<float>(parameters_.least_contrast);
+    search.up = vertical.up;
+    search.lean_sigma = std::sqrt(vertical.covariance.trace() / 3.0);
+    const CoarseEdgeFinder::Edges coarse = coarse_.find(image, *outline, colour, camera, search);
+    std::array<bool, 2> edges = {coarse[0] && !post.has(post_flag::left_edge_missing),
+                                 coarse[1] && !post.has(post_flag::right_edge_missing)};
+    if (!edges[0] && !edges[1]) return "no edge in its pixels";
+
+    SilhouettePrior prior;
+    prior.up = vertical.up;
+    PostSilhouette start;
+    if (edges[0] && edges[1]) {
+        start = silhouette_between(coarse[0]->plane, coarse[1]->plane, vertical.up);
+        if (!(start.half_angle > 0.0)) return "its edges cross";
+    } else {
+        const OutlineSide side = edges[0] ? OutlineSide::left : OutlineSide::right;
+        // Of a post that the picture's border cuts more is hidden than an outline shows.
+        const bool cut = post.has(post_flag::cut_left | post_flag::cut_right);
+        const double half_angle = (cut ? 1.5 : 1.0) * rough_half_angle(*outline, camera);
+        constexpr double least_sigma = 0.02;  // rad; a post half a metre away: 0.1, six metres: 0.008
+        start = silhouette_from(coarse[edges[0] ? 0 : 1]->plane, side, vertical.up, half_angle);
+        prior.half_angle = half_angle;
+        prior.half_angle_sigma = std::max(0.5 * half_angle, least_sigma);
+    }
+    prior.lean_sigma = std::sqrt(start.ahead.dot(vertical.covariance * start.ahead));
+
+    const PostExtent extent = find_extent(image, start, colour, camera, *outline);
+    if (extent.last_edge_row - extent.first_edge_row + 1 < least_rows) return "too few rows of its colour";
+    const RowLayout layout = layout_rows(extent.first_edge_row, extent.last_edge_row, parameters_.most_rows);
+    const SilhouetteFit fit =
+        fitter_.fit(image, camera, colour, start, prior, layout, edges, parameters_.least_contrast);
+    refined.rows = layout.count;
+    refined.iterations = fit.iterations;
+    if (!(fit.covariance.allFinite() && fit.covariance.diagonal().minCoeff() > 0.0) ||
+        fit.agreeing == std::array<int, 2>{})
+        return "no edge in its pixels";
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (!edges[side]) continue;
+        auto& edge = side == 0 ? refined.left : refined.right;
+        edge = RefinedEdge{fit.post.plane(side == 0 ? OutlineSide::left : OutlineSide::right),
+                           fit.agreeing[side]};
+    }
+    double quality = 1.0;
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (!edges[side]) continue;
+        const double looked = std::max(1, fit.looked_at[side]);
+        quality = std::min({quality, fit.agreeing[side] / (0.6 * looked), fit.agreeing[side] / 16.0,
+                            fit.agreeing[side] / (0.15 * std::max(1, layout.count)),
+                            1.0 - 0.8 * coarse[side]->rival});
+    }
+    if (edges[0] && edges[1]) {
+        // Twice as far off as least_quality's default lets pass: σ of the distance a twentieth of it.
+        constexpr double unsure = 0.025;
+        const double sigma =
+            std::sqrt(fit.covariance(silhouette_part::half_angle, silhouette_part::half_angle)) /
+            std::tan(fit.post.half_angle);
+        quality = std::min(quality, unsure / sigma);
+    }
+    refined.quality = fit.converged ? std::clamp(quality, 0.0, 1.0) : 0.0;
+    if (refined.quality < parameters_.least_quality) return "its pixels fit badly";
+    if (!edges[0]) post.flags |= post_flag::left_edge_missing;
+    if (!edges[1]) post.flags |= post_flag::right_edge_missing;
+    set_measurement(post, fit, extent, edges, camera, 0.5 * field_.post_diameter, parameters_);
+    post.flags |= post_flag::refined;
+    if (edges[0] && edges[1])
+        refined.cues.push_back({DistanceCueKind::width, post.distance_m, std::sqrt(post.covariance(0, 0))});
+    return "";
+}
+
+const std::vector<RefinedPost>& PostRefiner::refine(YuyvView image, const std::vector<Post>& posts,
+                                                    const Intrinsics& camera,
+                                                    const std::optional<CameraPose>& pose) {
+    refined_.clear();
+    const Vertical up = vertical(pose);
+    for (const Post& post : posts) {
+        RefinedPost& refined = refined_.emplace_back();
+        refined.post = post;
+        refined.reason = image.empty() ? "no picture" : refine_one(image, camera, up, refined);
+        if (!refined.reason.empty()) {
+            refined.post = post;
+            refined.left.reset();
+            refined.right.reset();
+            refined.cues.clear();
+        }
+    }
+    return refined_;
+}
+
+}  // namespace goalmouth

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/parameters/parameters.h"
+
+namespace goalmouth {
+
+struct RefinementParameters {
+    double least_quality = 0.5;
+    int most_rows = 250;
+    double start_tolerance = 0.2;
+    double start_floor = 0.0075;
+    double least_width = 2.5;
+    double least_contrast = 3.0;
+    double black_level = 0.0;
+    double level_sigma = 0.26;
+    double tilt_floor = 0.002;
+    double outline_floor = 0.002;
+    double focal_error = 0.0;
+    double diameter_error = 0.0;
+};
+
+template <class Visitor>
+void describe_parameters(Visitor& v, RefinementParameters& p) {
+    v("least_quality", p.least_quality, Range{0, 1}, "1",
+      "a post of which the pixels fit worse is handed on as the detector measured it");
+    v("most_rows", p.most_rows, Range{16, 2000}, "1", "rows in which a post's edges are measured, at most");
+    v("start_tolerance", p.start_tolerance, Range{0, 0.5}, "1",
+      "how far beside the detector's edges the post's may lie, as a share of its width, or start_floor");
+    v("start_floor", p.start_floor, Range{0, 0.1}, "1",
+      "the same for narrow posts, as a share of the picture's width");
+    v("least_width", p.least_width, Range{1, 100}, "px", "narrower posts are left alone");
+    v("least_contrast", p.least_contrast, Range{0, 100}, "1",
+      "an edge is looked for where the background differs from the post by this many sigmas of a pixel's "
+      "noise, shading left out");
+    v("black_level", p.black_level, Range{0, 64}, "1",
+      "luma of black: 0 in full range, 16 in limited range video; matters for posts too evenly lit to show "
+      "it");
+    v("level_sigma", p.level_sigma, Range{0.001, 1.5}, "rad",
+      "sigma of the camera's roll and pitch against level where its pose is not known");
+    v("tilt_floor", p.tilt_floor, Range{0, 0.5}, "rad",
+      "sigma of a post's lean against the vertical, beside that of the measured vertical");
+    v("outline_floor", p.outline_floor, Range{0, 2}, "px",
+      "sigma of an edge's place that does not shrink with more rows (lens, edge model)");
+    v("focal_error", p.focal_error, Range{0, 0.2}, "1",
+      "sigma of the focal length's relative error: adds as much to the distance's; no picture tells it");
+    v("diameter_error", p.diameter_error, Range{0, 0.5}, "1",
+      "sigma of the post diameter's relative error: adds as much to the distance's; no picture tells it");
+}
+
+}  // namespace goalmouth

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "core/refinement/edge_rows.h"
+#include "core/refinement/post_silhouette.h"
+#include "core/refinement/row_measurement.h"
+#include "core/refinement/step_profile.h"
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace goalmouth {
+
+/// What is known about a silhouette without looking at its edges.
+struct SilhouettePrior {
+    Eigen::Vector3d up = -Eigen::Vector3d::UnitY();  // frame C, along the post's axis
+    double lean_sigma = 0.02;                        // rad, of `up` within the post's middle plane
+    double half_angle = 0.0;
+    double half_angle_sigma = 0.0;  // rad; 0: not known
+};
+
+struct SilhouetteFit {
+    PostSilhouette post;
+    Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  // of a SilhouetteStep
+    double blur = 0.0;                                     // px, σ along the rows
+    double digital = 0.5;                                  // share of it that pixels underwent (StepProfile)
+    std::array<double, 2> noise = {1.0, 1.0};              // variance of the values on either side
+    double scatter = 1.0;      // of the rows' offsets, against what that noise explains; variance
+    double correlation = 1.0;  // rows that say as much as one on its own
+    int iterations = 0;
+    bool converged = false;
+    std::array<int, 2> looked_at{};  // rows where the background differs
+    std::array<int, 2> agreeing{};   // of these, which count for half or more
+    std::array<double, 2> share{};   // of the information that counts
+};
+
+/// Fits the two planes of a silhouette to rows of pixels.
+///
+/// Gauss–Newton on the four parts of a SilhouetteStep: measure_row() gives for each row of each edge an
+/// offset t and its information I, all pixel-level unknowns eliminated, so that
+///     H = Σ ω I J Jᵀ + P,  J = d(crossing) / d(step) = −(ray·dn/dstep) / (n·ray'),
+/// is the information of the full fit over all pixels. The prior P holds the lean: only the part of the
+/// measured vertical within the middle plane is used, the rest is read from the picture. ω gates each row of
+/// each side on its own: Tukey's biweight of its offset against the common fit, 0 where its pixels are not
+/// those of one step. Blur and noise are fitted along with it, pooled over the rows that count.
+///
+/// The covariance is H⁻¹ with the rows' information scaled to the scatter they show, and by how much
+/// neighbouring rows' offsets resemble each other (compressed pictures).
+class SilhouetteFitter {
+  public:
+    /// `edges`: which of them to use.
+    SilhouetteFit fit(YuyvView image, const Intrinsics& camera, const PostColour& colour,
+                      const PostSilhouette& start, const SilhouettePrior& prior, const RowLayout& layout,
+                      const std::array<bool, 2>& edges, double least_contrast);
+
+    const std::array<std::vector<EdgeRow>, 2>& rows() const { return rows_; }
+
+  private:
+    using Information = Eigen::Matrix4d;
+
+    void measure(const SilhouetteFit& state, BlurEvidence* blur);
+    void smooth(const SilhouetteFit& state);
+    static void fit_blur(SilhouetteFit& state, BlurEvidence& evidence);
+    void weigh(SilhouetteFit& state, bool gate);
+    /// px from an edge in a row to the other one, where that is near enough to matter; else 0.
+    double other_edge(const SilhouetteFit& state, std::size_t side, std::size_t row, double here) const;
+    double crossing(const EdgeRow& row, std::size_t side) const { return row.ray.crossing(planes_[side]); }
+
+    std::array<bool, 2> edges_{};
+    std::array<std::vector<EdgeRow>, 2> rows_;
+    std::array<Eigen::Vector3d, 2> planes_;
+    EdgeRowReader reader_;
+    StepProfile profile_;
+    LevelSmoother smoother_;
+    std::vector<float> sorted_;
+    std::array<double, 2> freedom_ = {1.0, 1.0};  // of a row's misfit, on either side, on average
+};
+
+}  // namespace goalmouth
