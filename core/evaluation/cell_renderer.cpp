@@ -1,6 +1,7 @@
 #include "core/evaluation/cell_renderer.h"
 
 #include "core/evaluation/edge_path.h"
+#include "core/evaluation/measured_pose.h"
 #include "core/geometry/segment.h"
 #include "core/simulation/robot.h"
 
@@ -53,6 +54,7 @@ CellRenderer::CellRenderer(const EvaluationScene& scene, const Field& field, con
       seed_(seed),
       renderer_(make_scene(field, scene.formation.hall), true_camera(calibration, scene.parameters.lens),
                 scene.formation),
+      clean_(renderer_.scene(), renderer_.camera(), undisturbed(scene.formation)),
       exposure_(scene.formation.exposure, scene.formation.light.temperature, random_for("exposure", 0)) {}
 
 Random CellRenderer::random_for(const char* purpose, std::int64_t number) const {
@@ -75,6 +77,14 @@ Scene CellRenderer::draw_hall(const CellView& view, std::int64_t number) const {
     return scene;
 }
 
+PostSight CellRenderer::sight_in(const Shot& shot) {
+    clean_.change_scene(renderer_.scene());
+    Random none(0);
+    const YuyvImage clean = clean_.render(shot, none);
+    return sight_of(clean_.scene(), post_in_line, camera(), shot.camera, scene_.formation, shot.gains,
+                    clean.view());
+}
+
 CellFrame CellRenderer::render(int cell, int index) {
     const std::int64_t number = frame_number(cell, index);
     CellFrame frame;
@@ -82,15 +92,20 @@ CellFrame CellRenderer::render(int cell, int index) {
         draw_view(random_for("view", number), scene_.parameters, field_, evaluation_cell(cell), camera());
     renderer_.change_scene(draw_hall(frame.view, number));
     Random noise = random_for("noise", number);
-    frame.image = renderer_.render({frame.view.camera, exposure_.gains(frame.view.time)}, noise);
+    const Shot shot{frame.view.camera, exposure_.gains(frame.view.time)};
+    frame.image = renderer_.render(shot, noise);
+    frame.kinematics =
+        measured_pose(frame.view.camera.T_WC, scene_.parameters.kinematics, random_for("kinematics", number));
 
     const CountingRule rule{scene_.parameters.least_inside, scene_.parameters.occluders.largest_hidden};
     const Scene& scene = renderer_.scene();
     for (const TruePost& truth : true_posts(scene, camera(), frame.view.camera.T_WC)) {
         const Cylinder& post = scene.posts[static_cast<std::size_t>(truth.id)];
         const auto edges = edges_in_picture(camera(), frame.view.camera, scene_.formation.shutter, post);
-        if (const auto outline = visible_outline(truth, edges, camera(), rule))
-            frame.posts.push_back({truth, *outline});
+        const auto outline = visible_outline(truth, edges, camera(), rule);
+        if (!outline) continue;
+        frame.posts.push_back({truth, *outline});
+        if (truth.id == post_in_line && outline->counts) frame.sight = sight_in(shot);
     }
     return frame;
 }

@@ -3,10 +3,12 @@
 #include "core/evaluation/cell.h"
 #include "core/evaluation/cell_view.h"
 #include "core/evaluation/evaluation_scene.h"
+#include "core/evaluation/post_sight.h"
 #include "core/evaluation/reference_post.h"
 #include "core/evaluation/visible_post.h"
 #include "core/field/field.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/camera_pose.h"
 #include "core/imaging/yuyv.h"
 #include "core/simulation/exposure.h"
 #include "core/simulation/image_formation.h"
@@ -14,6 +16,7 @@
 #include "core/simulation/truth.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +40,8 @@ struct CellFrame {
     YuyvImage image;
     CellView view;
     std::vector<KnownPost> posts;
+    std::optional<CameraPose> kinematics;  // what the robot would say of the camera
+    std::optional<PostSight> sight;        // of the post in line, where it counts
 
     std::vector<ReferencePost> outlines() const;
 };
@@ -58,11 +63,13 @@ class CellRenderer {
   private:
     Random random_for(const char* purpose, std::int64_t number) const;
     Scene draw_hall(const CellView& view, std::int64_t number) const;
+    PostSight sight_in(const Shot& shot);  // of the post in line, in the renderer's hall
 
     EvaluationScene scene_;
     Field field_;
     std::uint64_t seed_;
     Renderer renderer_;
+    Renderer clean_;  // of undisturbed frames
     Exposure exposure_;
 };
 

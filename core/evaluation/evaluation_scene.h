@@ -81,6 +81,22 @@ void describe_parameters(Visitor& v, OccluderParameters& p) {
       "a post of which more is hidden, of what lies inside the picture, does not count");
 }
 
+/// What the robot's joints and gyroscopes tell of the camera's place over its feet, for detectors that use
+/// it.
+struct MeasuredPoseParameters {
+    bool told = true;
+    double attitude_sigma = 0.01745;
+    double height_sigma = 0.01;
+};
+
+template <class Visitor>
+void describe_parameters(Visitor& v, MeasuredPoseParameters& p) {
+    v("told", p.told, "the detectors are told the camera's attitude and height; false: nothing of it");
+    v("attitude_sigma", p.attitude_sigma, Range{0, 1}, "rad",
+      "σ of the attitude's error about each axis, drawn for each frame");
+    v("height_sigma", p.height_sigma, Range{0, 1}, "m", "σ of the height's error, drawn for each frame");
+}
+
 /// What the files of config/evaluation hold: a scene of config/scenes and how it is looked at.
 struct EvaluationSceneParameters {
     std::string scene;
@@ -88,6 +104,7 @@ struct EvaluationSceneParameters {
     CameraMotionParameters motion;
     LensParameters lens;
     OccluderParameters occluders;
+    MeasuredPoseParameters kinematics;
     double least_inside = 0.5;
 };
 
@@ -101,6 +118,7 @@ void describe_parameters(Visitor& v, EvaluationSceneParameters& p) {
     v.group("motion", p.motion, "how the camera moves while a frame is taken");
     v.group("lens", p.lens, "what the camera is, against what the detectors are told");
     v.group("occluders", p.occluders, "robots between the camera and the goal");
+    v.group("kinematics", p.kinematics, "what the detectors are told of the camera's attitude and height");
 }
 
 }  // namespace goalmouth

@@ -50,7 +50,20 @@ class Occluder {
 struct Occluders {
     std::vector<Occluder> joined;  // end in a post: what is within the post does not count
     std::vector<Occluder> others;
-    bool ball = false;
+    const Ball* ball = nullptr;
+
+    /// Whether a point of the post, at the end of `ray` from the eye, is hidden.
+    bool hide(const Eigen::Vector3d& eye, const Eigen::Vector3d& ray, double radius) const {
+        const double post_side = 1.0 - 2.0 * radius / ray.norm();
+        const auto any = [&](const std::vector<Occluder>& things, double limit) {
+            return std::any_of(things.begin(), things.end(),
+                               [&](const Occluder& o) { return o.hides(ray, limit); });
+        };
+        if (any(others, 1.0) || any(joined, post_side)) return true;
+        if (ball == nullptr) return false;
+        const auto t = hit(*ball, eye, ray);
+        return t && *t < 1.0;
+    }
 };
 
 Occluders occluders_of(const Scene& scene, const Eigen::Isometry3d& T_WC, const CylinderSilhouette& outline,
@@ -73,7 +86,7 @@ Occluders occluders_of(const Scene& scene, const Eigen::Isometry3d& T_WC, const 
         const bool joined = tube.of == Tube::Of::goal && tube.post < 0;
         (joined ? result.joined : result.others).emplace_back(c, eye);
     }
-    result.ball = may_hide(scene.ball.centre, scene.ball.radius);
+    if (may_hide(scene.ball.centre, scene.ball.radius)) result.ball = &scene.ball;
     return result;
 }
 
@@ -106,24 +119,25 @@ Shares shares_of(const Scene& scene, const Intrinsics& camera, const Eigen::Isom
                 pixel->y() > camera.height - 0.5 || folds_back(camera, point_C.head<2>() / point_C.z()))
                 continue;
             ++inside;
-            const Eigen::Vector3d ray = point - eye;
-            const double post_side = 1.0 - 2.0 * post.radius / ray.norm();
-            const auto any = [&](const std::vector<Occluder>& things, double limit) {
-                return std::any_of(things.begin(), things.end(),
-                                   [&](const Occluder& o) { return o.hides(ray, limit); });
-            };
-            bool hidden = any(occluders.others, 1.0) || any(occluders.joined, post_side);
-            if (!hidden && occluders.ball) {
-                const auto t = hit(scene.ball, eye, ray);
-                hidden = t && *t < 1.0;
-            }
-            if (!hidden) ++seen;
+            if (!occluders.hide(eye, point - eye, post.radius)) ++seen;
         }
     constexpr double all = samples_across * samples_along;
     return {inside / all, seen / all};
 }
 
 }  // namespace
+
+std::vector<bool> hidden_points(const Scene& scene, const Eigen::Isometry3d& T_WC, std::size_t post,
+                                std::span<const Eigen::Vector3d> points) {
+    const auto outline = silhouette(scene.posts[post], T_WC);
+    if (!outline) return std::vector<bool>(points.size(), true);
+    const Occluders occluders = occluders_of(scene, T_WC, *outline, post);
+    const Eigen::Vector3d eye = T_WC.translation();
+    std::vector<bool> hidden;
+    for (const Eigen::Vector3d& point : points)
+        hidden.push_back(occluders.hide(eye, point - eye, scene.posts[post].radius));
+    return hidden;
+}
 
 std::optional<double> hit(const Ball& ball, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
     const Eigen::Vector3d p = from - ball.centre;

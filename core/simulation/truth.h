@@ -5,7 +5,9 @@
 #include "core/geometry/pose2.h"
 #include "core/simulation/scene.h"
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -36,6 +38,11 @@ struct Truth {
 /// means hidden by the ball or any tube: another post, a bar, a strut, a robot, a person; sampled on a grid
 /// across the silhouette, so `inside` and `visible` are good to about a hundredth.
 std::vector<TruePost> true_posts(const Scene& scene, const Intrinsics& camera, const Eigen::Isometry3d& T_WC);
+
+/// Which points on the side of a post [m, W] something hides from the camera: what can hide is as above.
+/// `post`: as Field::posts(). All where the camera is inside the post.
+std::vector<bool> hidden_points(const Scene& scene, const Eigen::Isometry3d& T_WC, std::size_t post,
+                                std::span<const Eigen::Vector3d> points);
 
 /// Distance along the ray from…from + t·direction (any length, t > 0) to a ball, as t; nothing where it
 /// misses.

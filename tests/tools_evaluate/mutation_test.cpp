@@ -17,8 +17,8 @@ namespace {
 Detector with_posts(const Detector& base, const std::string& name, const std::function<void(Post&)>& change) {
     return {name, [=]() -> DetectPosts {
                 const DetectPosts detect = base.make();
-                return [=](YuyvView image, std::int64_t seq, const Intrinsics& told) {
-                    std::vector<Post> posts = detect(image, seq, told);
+                return [=](const DetectorInput& input) {
+                    std::vector<Post> posts = detect(input);
                     for (Post& post : posts) change(post);
                     return posts;
                 };
@@ -29,11 +29,10 @@ Detector with_posts(const Detector& base, const std::string& name, const std::fu
 Detector with_focal_length(const Detector& base, const std::string& name, double factor) {
     return {name, [=]() -> DetectPosts {
                 const DetectPosts detect = base.make();
-                return [=](YuyvView image, std::int64_t seq, const Intrinsics& told) {
-                    Intrinsics wrong = told;
-                    wrong.fx *= factor;
-                    wrong.fy *= factor;
-                    return detect(image, seq, wrong);
+                return [=](DetectorInput input) {
+                    input.told.fx *= factor;
+                    input.told.fy *= factor;
+                    return detect(input);
                 };
             }};
 }

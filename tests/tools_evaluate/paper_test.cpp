@@ -39,8 +39,12 @@ TEST_F(Paper, WritesEveryCellOfEveryDetectorAndScene) {
     EXPECT_FALSE(j["version"].get<std::string>().empty());
     EXPECT_THAT(j["command"].get<std::string>(), HasSubstr("--scene flat,match"));
     const Json& cell = j["cells"][0];
-    for (const char* name : {"detector", "scene", "size", "distance_cm", "tilt_deg", "frames", "posts",
-                             "detected", "false_posts", "rmse_cm", "bias_cm", "median_abs_cm", "p95_abs_cm"})
+    for (const char* name :
+         {"detector",        "scene",         "size",       "distance_cm", "tilt_deg",
+          "frames",          "posts",         "detected",   "false_posts", "rmse_cm",
+          "bias_cm",         "median_abs_cm", "p95_abs_cm", "bound_cm",    "rmse_to_bound",
+          "median_to_bound", "bias_to_bar",   "both_edges", "good",        "normalised_error",
+          "all_measured"})
         EXPECT_TRUE(cell.contains(name)) << name;
     EXPECT_EQ(cell["detector"], "histogram");
     EXPECT_EQ(cell["distance_cm"], 60);
@@ -48,6 +52,10 @@ TEST_F(Paper, WritesEveryCellOfEveryDetectorAndScene) {
     for (const Json& each : j["cells"]) {
         EXPECT_LE(each["detected"], each["posts"]);
         EXPECT_EQ(each["rmse_cm"].is_null(), each["measured"] == 0);
+        EXPECT_EQ(each["all_measured"]["rmse_cm"], each["rmse_cm"]) << "none of these chains refines";
+        EXPECT_TRUE(each["good"].is_null());
+        EXPECT_TRUE(each["normalised_error"].is_null());
+        EXPECT_TRUE(each["rmse_to_bound"].is_null() || each["rmse_to_bound"] > 0.0);
     }
     EXPECT_THAT(printed, HasSubstr("ransac, scene match"));
     EXPECT_THAT(printed, HasSubstr("290.90"));
@@ -162,7 +170,7 @@ TEST_F(Paper, NamesTheSceneFileWithTheMistake) {
 Detector interrupting(int signal) {
     const auto frames = std::make_shared<std::atomic<int>>(0);
     return {"interrupting", [=]() -> DetectPosts {
-                return [=](YuyvView, std::int64_t, const Intrinsics&) {
+                return [=](const DetectorInput&) {
                     if (++*frames == 3) std::raise(signal);
                     return std::vector<Post>{};
                 };

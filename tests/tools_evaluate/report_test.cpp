@@ -49,7 +49,7 @@ TEST_F(PaperPage, HoldsEveryDetectorSceneFigureAndFailure) {
             EXPECT_THAT(html, HasSubstr("aria-label=\"" + detector + ", scene " + scene + ", 160x120\""));
             EXPECT_THAT(html,
                         HasSubstr("<th scope=\"row\">" + scene + "</th><td>" + detector + "</td><td class"));
-            for (const std::string kind : {"detection-", "distance-"})
+            for (const std::string kind : {"detection-", "distance-", "bound-"})
                 for (const std::string type : {".svg", ".png"})
                     expected.insert(kind + detector + "-" + scene + type);
         }
@@ -58,7 +58,7 @@ TEST_F(PaperPage, HoldsEveryDetectorSceneFigureAndFailure) {
     EXPECT_THAT(html, HasSubstr("<td>histogram</td><td class=\"n\">–</td><td class=\"n\">–</td>"))
         << "the paper's row";
     EXPECT_THAT(html, HasSubstr("in the paper it was 9.4 times RANSAC"));
-    EXPECT_EQ(test::count(html, "<svg "), 12U);
+    EXPECT_EQ(test::count(html, "<svg "), 18U);
 
     const auto failures = html.find("<h2 id=\"worst-failures\">");
     EXPECT_GE(test::count(html.substr(failures), "src=\"data:image/jpeg;base64,"), 12U);

@@ -207,7 +207,7 @@ TEST_F(LocalisationVerb, WritesJsonAndReportAndMerges) {
     EXPECT_EQ(all["what"], "localisation");
     EXPECT_EQ(all["runs_done"], 2);
     EXPECT_EQ(all["results"].size(), 2U);
-    EXPECT_EQ(all["summaries"].size(), 2U);
+    EXPECT_EQ(all["summaries"].size(), 3U);
     EXPECT_TRUE(std::filesystem::exists(path("report/index.html")));
 }
 
@@ -233,7 +233,7 @@ TEST_F(LocalisationVerb, RansacIsBetterThanTheHistogramByAtLeastThePapersShare) 
     ASSERT_EQ(localisation({"--runs", "3", "--jobs", "2", "--json", path("a.json")}), 0);
     const auto all = json("a.json");
     ASSERT_EQ(all["runs_done"], 3);
-    ASSERT_EQ(all["comparisons"].size(), 1U);
+    ASSERT_EQ(all["comparisons"].size(), 2U);
     const auto& ransac = all["comparisons"][0];
     EXPECT_EQ(ransac["detector"], "ransac");
     EXPECT_EQ(ransac["against"], "histogram");

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 struct Given {
     int runs = 100;
-    std::string detectors = "histogram,ransac";
+    std::string detectors = "histogram,ransac,refined";
     std::uint64_t seed = 1;
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     double seconds = 0.0;  // 0: as long as the walk takes

@@ -115,9 +115,10 @@ void add_evaluate_paper(CLI::App& evaluate, Action& action) {
         ->capture_default_str();
     verb->add_option("--size", options.size, "WIDTHxHEIGHT of the frames [px], of the calibration's shape")
         ->capture_default_str();
-    verb->add_option("--detectors", options.detectors,
-                     "graphs to compare: names in config/graphs (histogram, ransac, tuned) or files, with "
-                     "commas between")
+    verb->add_option(
+            "--detectors", options.detectors,
+            "graphs to compare: names in config/graphs (histogram, ransac, refined, tuned) or files, with "
+            "commas between")
         ->capture_default_str();
     verb->add_option("--scene", options.scenes,
                      "flat, lit, clutter, match (config/evaluation) or files, with commas between")
@@ -146,7 +147,8 @@ void add_evaluate_paper(CLI::App& evaluate, Action& action) {
         "true edges,\nat a quarter and at three quarters of its visible length, and the detection covers at "
         "least {:g} % of that length.\nAll other detections are false posts, but for those of posts that are "
         "hidden or cut off too far to count.\nDistances are judged by the post in line [cm, estimate minus "
-        "truth], over every detection that means it.\n\n"
+        "truth], over every detection that means it; of a chain that\nrefines, over those it calls good. The "
+        "bound is the least standard deviation that the post's two edges allow.\n\n"
         "At least one of --json and --report is needed; a table goes to standard output, progress to "
         "standard "
         "error.\nThe same command gives the same files, bit for bit. Ctrl-C ends after the frames in hand "

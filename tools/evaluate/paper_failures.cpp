@@ -84,7 +84,7 @@ std::vector<PagePicture> failure_pictures(const PaperResult& result, const Paper
         const FrameRecord& frame = result.records[chosen.record];
         const CellFrame drawn = renderer.render(frame.place.cell, frame.place.index);
         const std::vector<Post> posts =
-            detect(drawn.image.view(), frame_number(frame.place.cell, frame.place.index), drawn.view.told);
+            detect(input_of(drawn, frame_number(frame.place.cell, frame.place.index)));
         const std::vector<ReferencePost> truth = drawn.outlines();
         cv::Mat picture = bgr_from_yuyv(drawn.image.view());
         draw_scored_posts(picture, truth, posts, match_posts(truth, posts, grid.rule));

@@ -68,4 +68,33 @@ Figure distance_figure(const PaperResult& result, const RecordTable& table, std:
     return figure;
 }
 
+Figure bound_figure(const PaperResult& result, const RecordTable& table, std::size_t detector,
+                    std::size_t scene) {
+    Figure figure = figure_of(result, detector, scene);
+    figure.y_label = "RMSE and bound of the distance [cm]";
+    figure.log_y = true;
+    add_series(figure, table, detector, scene,
+               [](Series& series, double distance, double dodge, const Summary& cell) {
+                   if (!cell.in_line.distance || !(cell.in_line.distance->rmse > 0.0)) return;
+                   series.x.push_back(distance + dodge);
+                   series.y.push_back(100.0 * cell.in_line.distance->rmse);
+               });
+    const std::size_t tilts = figure.series.size();
+    add_series(figure, table, detector, scene,
+               [](Series& series, double distance, double dodge, const Summary& cell) {
+                   if (!cell.in_line.bound) return;
+                   series.x.push_back(distance + dodge);
+                   series.y.push_back(100.0 * *cell.in_line.bound);
+               });
+    for (std::size_t i = 0; i < tilts; ++i) {
+        figure.series[i].style.colour = static_cast<int>(i);
+        SeriesStyle& bound = figure.series[tilts + i].style;
+        bound.colour = static_cast<int>(i);
+        bound.dashed = true;
+        bound.hollow = true;
+        figure.series[tilts + i].name = fmt::format("bound, {}°", cell_tilts_deg[i]);
+    }
+    return figure;
+}
+
 }  // namespace goalmouth

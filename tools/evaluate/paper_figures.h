@@ -8,7 +8,8 @@
 
 namespace goalmouth {
 
-// The paper's two figures for one detector in one scene: one series for each tilt over the six distances.
+// Figures for one detector in one scene, the first two of them the paper's: one series for each tilt over the
+// six distances.
 // Curves that lie on each other would hide each other: the tilts stand a little to the left of the distance,
 // at it and a little to the right; estimated distances are moved up and down by as much, along the diagonal.
 
@@ -25,5 +26,9 @@ Figure detection_figure(const PaperResult& result, const RecordTable& table, std
 /// Mean estimated distance ± its standard deviation, over the true one.
 Figure distance_figure(const PaperResult& result, const RecordTable& table, std::size_t detector,
                        std::size_t scene);
+
+/// RMSE of the distance and its bound, on a logarithmic axis, over the true distance.
+Figure bound_figure(const PaperResult& result, const RecordTable& table, std::size_t detector,
+                    std::size_t scene);
 
 }  // namespace goalmouth

@@ -1,4 +1,5 @@
 #include "core/evaluation/cell.h"
+#include "tools/evaluate/paper_acceptance.h"
 #include "tools/evaluate/paper_facts.h"
 #include "tools/evaluate/paper_json_names.h"
 #include "tools/evaluate/paper_result.h"
@@ -29,7 +30,7 @@ void put_distance(Json& j, const std::optional<ErrorStatistics>& distance) {
     put("p95_abs_cm", &ErrorStatistics::p95_abs);
 }
 
-void put_summary(Json& j, const Summary& summary) {
+void put_summary(Json& j, const Summary& summary, bool refines) {
     j["frames"] = summary.frames;
     j["posts"] = summary.posts;
     j["detected"] = summary.detected;
@@ -49,6 +50,20 @@ void put_summary(Json& j, const Summary& summary) {
     second["measured"] = summary.second.measured;
     put_distance(second, summary.second.distance);
     j["second_post"] = second;
+
+    const PostSummary& in_line = summary.in_line;
+    j["bound_cm"] = in_line.bound ? Json(cm * *in_line.bound) : Json(nullptr);
+    j["rmse_to_bound"] = or_null(in_line.rmse_to_bound());
+    j["median_to_bound"] = or_null(in_line.median_to_bound());
+    j["both_edges"] = in_line.both_edges;
+    j["both_edges_identified"] = in_line.both_edges_identified;
+    // What only a chain that refines says.
+    j["good"] = refines ? Json(in_line.good) : Json(nullptr);
+    j["normalised_error"] = or_null(in_line.normalised_error);
+    Json all;
+    all["measured"] = in_line.all_measured;
+    put_distance(all, in_line.all);
+    j["all_measured"] = all;
 }
 
 Json heading(const PaperResult& result, std::size_t detector, std::size_t scene) {
@@ -67,7 +82,9 @@ std::vector<Json> cells_of(const PaperResult& result, const RecordTable& table) 
                 Json j = heading(result, d, s);
                 j["distance_cm"] = evaluation_cell(c).distance_cm;
                 j["tilt_deg"] = evaluation_cell(c).tilt_deg;
-                put_summary(j, table.cell(d, s, c));
+                const Summary cell = table.cell(d, s, c);
+                put_summary(j, cell, table.refines(d));
+                j["bias_to_bar"] = or_null(bias_to_bar(cell.in_line, evaluation_cell(c)));
                 cells.push_back(std::move(j));
             }
         }
@@ -82,7 +99,7 @@ std::vector<Json> tilts_of(const PaperResult& result, const RecordTable& table) 
             for (std::size_t t = 0; t < cell_tilts_deg.size(); ++t) {
                 Json j = heading(result, d, s);
                 j["tilt_deg"] = cell_tilts_deg[t];
-                put_summary(j, table.tilt(d, s, t));
+                put_summary(j, table.tilt(d, s, t), table.refines(d));
                 tilts.push_back(std::move(j));
             }
         }
@@ -90,9 +107,23 @@ std::vector<Json> tilts_of(const PaperResult& result, const RecordTable& table) 
     return tilts;
 }
 
+std::vector<Json> acceptance_of(const PaperResult& result, const RecordTable& table) {
+    std::vector<Json> lines;
+    for (const AcceptanceLine& line : paper_acceptance(result, table)) {
+        Json j;
+        j["detector"] = line.detector;
+        j["scene"] = line.scene;
+        j["what"] = line.what;
+        j["holds"] = line.holds;
+        lines.push_back(std::move(j));
+    }
+    return lines;
+}
+
 int state_of(const PostRecord& post) {
     return (post.counts ? post_state::counts : 0) + (post.found ? post_state::detected : 0) +
-           (post.identified ? post_state::identified : 0);
+           (post.identified ? post_state::identified : 0) + (post.good ? post_state::good : 0) +
+           (post.both_edges ? post_state::both_edges : 0);
 }
 
 std::vector<Json> rows_of(const PaperResult& result) {
@@ -106,7 +137,8 @@ std::vector<Json> rows_of(const PaperResult& result) {
             rows.push_back(Json::array(
                 {frame.place.scene, frame.place.cell, frame.place.index, d, r.posts, r.detected, r.identified,
                  r.false_posts, state_of(r.in_line), or_null(r.in_line.distance_error), edge(0), edge(1),
-                 or_null(r.in_line.bearing_error), state_of(r.second), or_null(r.second.distance_error)}));
+                 or_null(r.in_line.bearing_error), state_of(r.second), or_null(r.second.distance_error),
+                 or_null(r.in_line.bound), or_null(r.in_line.normalised_error)}));
         }
     }
     return rows;
@@ -170,6 +202,7 @@ std::string paper_json(const PaperResult& result) {
     const RecordTable table(result.records, result.scenes.size());
     put_text("cells", lines(cells_of(result, table)));
     put_text("tilts", lines(tilts_of(result, table)));
+    put_text("acceptance", lines(acceptance_of(result, table)));
     put("options", options_of(result.options));
     put("settings", result.settings);
     put("frame_columns", frame_columns);

@@ -34,11 +34,13 @@ std::optional<double> number(const Json& j, const char* what) {
     return j.get<double>();
 }
 
-void take_state(PostRecord& post, const Json& j, const char* what) {
-    const int state = whole(j, 0, 7, what);
+void take_state(PostRecord& post, const Json& j, int highest, const char* what) {
+    const int state = whole(j, 0, highest, what);
     post.counts = (state & post_state::counts) != 0;
     post.found = (state & post_state::detected) != 0;
     post.identified = (state & post_state::identified) != 0;
+    post.good = (state & post_state::good) != 0;
+    post.both_edges = (state & post_state::both_edges) != 0;
 }
 
 constexpr int many = 1 << 20;
@@ -49,7 +51,7 @@ DetectorRecord detector_record(const Json& row) {
     r.detected = whole(row[5], 0, r.posts, frame_columns[5]);
     r.identified = whole(row[6], 0, r.posts, frame_columns[6]);
     r.false_posts = whole(row[7], 0, many, frame_columns[7]);
-    take_state(r.in_line, row[8], frame_columns[8]);
+    take_state(r.in_line, row[8], 31, frame_columns[8]);
     r.in_line.distance_error = number(row[9], frame_columns[9]);
     const auto left = number(row[10], frame_columns[10]);
     const auto right = number(row[11], frame_columns[11]);
@@ -58,8 +60,13 @@ DetectorRecord detector_record(const Json& row) {
         r.in_line.bearing_error.has_value() != r.in_line.found)
         throw Unexpected("edges and bearing do not go with what was detected");
     if (r.in_line.found) r.in_line.edges = {*left, *right};
-    take_state(r.second, row[13], frame_columns[13]);
+    take_state(r.second, row[13], 7, frame_columns[13]);
     r.second.distance_error = number(row[14], frame_columns[14]);
+    r.in_line.bound = number(row[15], frame_columns[15]);
+    r.in_line.normalised_error = number(row[16], frame_columns[16]);
+    if (r.in_line.good != r.in_line.normalised_error.has_value() ||
+        (r.in_line.good && !r.in_line.distance_error))
+        throw Unexpected("a post that is called good lacks an error, or the other way round");
     return r;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/evaluation/cell.h"
 #include "core/process/configuration.h"
+#include "tools/evaluate/paper_acceptance.h"
 #include "tools/evaluate/paper_facts.h"
 #include "tools/evaluate/paper_failures.h"
 #include "tools/evaluate/paper_figures.h"
@@ -70,6 +71,32 @@ void add_figures(HtmlPage& page, const PaperResult& result, const RecordTable& t
     }
 }
 
+void add_bounds(HtmlPage& page, const PaperResult& result, const RecordTable& table,
+                const std::filesystem::path& folder) {
+    page.paragraph(
+        "How well the post's two edges can tell its distance at all, by Cramér and Rao, against what was "
+        "reached: full lines are the RMSE, dashed ones the bound. Of a chain that refines, the RMSE is that "
+        "of "
+        "the frames it calls good.");
+    std::vector<std::string> asked;
+    for (const AcceptanceLine& line : paper_acceptance(result, table)) asked.push_back(line.text());
+    if (!asked.empty()) page.list(asked);
+    FigureNames names;
+    for (std::size_t s = 0; s < result.scenes.size(); ++s) {
+        std::vector<DrawnFigure> figures;
+        for (std::size_t d = 0; d < result.detectors.size(); ++d)
+            figures.push_back(
+                draw_figure(bound_figure(result, table, d, s), folder, "bound-" + names.of(result, d, s)));
+        if (result.scenes.size() > 1) page.subsection("Against the bound, scene " + result.scenes[s]);
+        page.figures(figures, "");
+        page.details("Every distance and tilt against the bound, scene " + result.scenes[s],
+                     [&](HtmlPage& inside) {
+                         for (std::size_t d = 0; d < result.detectors.size(); ++d)
+                             inside.table(bound_table(result, table, d, s));
+                     });
+    }
+}
+
 /// The setup to render failures with: the run's own, or one made anew where that is the same.
 std::optional<PaperSetup> remade(const PaperResult& result) {
     try {
@@ -119,6 +146,9 @@ void write_paper_report(const PaperResult& result, const PaperSetup* setup,
 
     page.section("Figures");
     add_figures(page, result, table, folder.path());
+
+    page.section("Against the bound");
+    add_bounds(page, result, table, folder.path());
 
     page.section("Each distance and tilt");
     page.paragraph(

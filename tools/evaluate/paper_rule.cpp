@@ -46,6 +46,31 @@ nlohmann::ordered_json paper_rule() {
     j["second_post"] =
         "the same for the other post of the goal, which is off the camera's axis, where distance by width "
         "reads short by about the square of the cosine of the angle";
+    j["good"] =
+        "of a chain that refines: in_line_identified frames whose detection is flagged as measured anew in "
+        "the pixels. rmse_cm, bias_cm, sigma_cm, median_abs_cm and p95_abs_cm of such a chain are over "
+        "those, "
+        "all_measured over every frame it measured; a chain refines if it calls any post good";
+    j["both_edges"] =
+        "frames in which the post in line counts and a third or more of each of its edges, of what lies "
+        "between the picture's first and last row, is in the picture, not hidden, and differs from the "
+        "background by three times the noise of a pair of pixels or more, in the complement of the post's "
+        "colour; called good: of these, the frames that are good";
+    j["bound_cm"] =
+        "least standard deviation of the distance that the post's two edges allow anyone who is unbiased and "
+        "knows the vertical (Cramér and Rao; core/refinement/bound.h): from the scene's noise and blur, the "
+        "colours beside the true edges in the same frame drawn without noise, and the length of each edge "
+        "that is seen. Root of the mean square over the measured frames; other cues, such as both posts of a "
+        "goal, can do better";
+    j["rmse_to_bound"] = "rmse_cm over bound_cm";
+    j["bias_to_bar"] =
+        "|bias_cm| over what rmse_cm may be: 1.3 times bound_cm, nearer than 3 m at least 0.15 % of the "
+        "distance";
+    j["median_to_bound"] = "median_abs_cm over 0.6745 times the median of the frames' bounds";
+    j["normalised_error"] =
+        "mean over good frames of e' S^-1 e / 2, e the errors of distance and bearing, S the covariance that "
+        "the detection states: 1 where that is right, more where it claims too much; a covariance that is "
+        "none counts as 1e6";
     return j;
 }
 

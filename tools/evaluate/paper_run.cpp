@@ -2,8 +2,11 @@
 
 #include "tools/evaluate/parallel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+
+#include <Eigen/Dense>
 
 namespace goalmouth {
 namespace {
@@ -25,6 +28,19 @@ struct Worker {
     }
 };
 
+/// Where the detection says the post's middle line is, in the row of its own middle.
+double bearing_error(const KnownPost& known, const Post& meant, const Intrinsics& camera) {
+    const double row = 0.25 * (meant.left_top + meant.left_base + meant.right_top + meant.right_base).y();
+    return meant.bearing_rad - bearing_in_row(known.outline, camera, row);
+}
+
+double normalised_error(const Eigen::Vector2d& error, const Eigen::Matrix2d& covariance) {
+    const Eigen::LLT<Eigen::Matrix2d> factors(covariance);
+    if (factors.info() != Eigen::Success) return largest_normalised_error;
+    const double value = 0.5 * error.dot(factors.solve(error));
+    return std::isfinite(value) ? std::min(value, largest_normalised_error) : largest_normalised_error;
+}
+
 PostRecord record_of_post(const KnownPost& known, const Post* meant, bool found, const Intrinsics& camera) {
     PostRecord record;
     record.counts = known.outline.counts;
@@ -36,14 +52,30 @@ PostRecord record_of_post(const KnownPost& known, const Post* meant, bool found,
         record.distance_error = meant->distance_m - known.truth.distance_m;
     if (found) {
         record.edges = edge_offsets(known.outline, *meant);
-        const double row =
-            0.25 * (meant->left_top + meant->left_base + meant->right_top + meant->right_base).y();
-        record.bearing_error = meant->bearing_rad - bearing_in_row(known.outline, camera, row);
+        record.bearing_error = bearing_error(known, *meant, camera);
     }
     return record;
 }
 
+/// What only refined posts and the bound say.
+void judge(PostRecord& record, const KnownPost& known, const Post* meant, const Intrinsics& camera,
+           const std::optional<PostSight>& sight) {
+    if (!record.counts) return;
+    if (sight) {
+        record.both_edges = sight->both_edges();
+        if (sight->bound) record.bound = sight->bound->distance_sigma();
+    }
+    if (!record.distance_error || !meant->has(post_flag::refined)) return;
+    record.good = true;
+    record.normalised_error =
+        normalised_error({*record.distance_error, bearing_error(known, *meant, camera)}, meant->covariance);
+}
+
 }  // namespace
+
+DetectorInput input_of(const CellFrame& frame, std::int64_t seq) {
+    return {frame.image.view(), seq, frame.view.told, frame.kinematics};
+}
 
 std::int64_t running_number(const FramePlace& place, int frames_per_cell) {
     return (static_cast<std::int64_t>(place.scene) * cell_count + place.cell) * frames_per_cell + place.index;
@@ -70,7 +102,10 @@ DetectorRecord record_of(const CellFrame& frame, const std::vector<Post>& posts,
         }
         const Post* meant = matching.identified[i] ? &posts[*matching.identified[i]] : nullptr;
         const bool found = matching.found[i].has_value();
-        if (known.truth.id == post_in_line) record.in_line = record_of_post(known, meant, found, camera);
+        if (known.truth.id == post_in_line) {
+            record.in_line = record_of_post(known, meant, found, camera);
+            judge(record.in_line, known, meant, camera, frame.sight);
+        }
         if (known.truth.id == second_post) record.second = record_of_post(known, meant, found, camera);
     }
     return record;
@@ -98,8 +133,8 @@ std::vector<FrameRecord> run_paper(const PaperGrid& grid, const std::vector<Dete
         const CellFrame drawn = renderer.render(record.place.cell, record.place.index);
         const std::int64_t seq = frame_number(record.place.cell, record.place.index);
         for (const DetectPosts& detect : worker.detectors) {
-            record.detectors.push_back(record_of(drawn, detect(drawn.image.view(), seq, drawn.view.told),
-                                                 renderer.camera(), grid.rule));
+            record.detectors.push_back(
+                record_of(drawn, detect(input_of(drawn, seq)), renderer.camera(), grid.rule));
         }
         slots[item] = std::move(record);
         if (work.step) work.step();

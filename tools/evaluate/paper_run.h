@@ -5,6 +5,7 @@
 #include "core/evaluation/post_matching.h"
 #include "core/field/field.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/camera_pose.h"
 #include "core/imaging/yuyv.h"
 
 #include <array>
@@ -17,10 +18,18 @@
 
 namespace goalmouth {
 
-/// Finds the posts in a frame. `seq`: what it draws at random follows from this number; `told`: what it may
-/// believe of the camera.
-using DetectPosts =
-    std::function<std::vector<Post>(YuyvView image, std::int64_t seq, const Intrinsics& told)>;
+/// What a detector gets of a frame.
+struct DetectorInput {
+    YuyvView image;
+    std::int64_t seq = 0;                  // what it draws at random follows from this number
+    Intrinsics told;                       // what it may believe of the camera
+    std::optional<CameraPose> kinematics;  // what the robot measured of the camera's pose
+};
+
+DetectorInput input_of(const CellFrame& frame, std::int64_t seq);
+
+/// Finds the posts in a frame.
+using DetectPosts = std::function<std::vector<Post>(const DetectorInput& input)>;
 
 /// A detector under evaluation. `make` is called once for each thread that uses it, in turn.
 struct Detector {
@@ -65,7 +74,17 @@ struct PostRecord {
     std::optional<double> distance_error;        // m, estimate − truth, where that detection has one
     std::optional<std::array<double, 2>> edges;  // px, left and right, where found
     std::optional<double> bearing_error;         // rad, detection − truth, where found
+
+    // Of the post in line alone.
+    bool both_edges = false;           // the frame shows them (PostSight::both_edges)
+    bool good = false;                 // that detection is flagged as refined and has a distance
+    std::optional<double> bound = {};  // m, least σ of the distance; nothing where its edges do not tell it
+    /// eᵀΣ⁻¹e/2 of e = errors of (distance, bearing) and Σ the detection's covariance, where good: 1 on
+    /// average where Σ is right. At most largest_normalised_error, which also stands for a Σ that is none.
+    std::optional<double> normalised_error = {};
 };
+
+inline constexpr double largest_normalised_error = 1e6;
 
 /// What one detector made of one frame. Posts that do not count are not in the numbers.
 struct DetectorRecord {

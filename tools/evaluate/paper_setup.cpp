@@ -108,11 +108,12 @@ Detector chain_detector(const std::string& graph, const std::vector<std::string>
     chain.seed = options.seed;
     return {graph_name(graph), [chain]() -> DetectPosts {
                 const auto stages = std::make_shared<ImageChain>(chain);
-                return [stages](YuyvView image, std::int64_t seq, const Intrinsics& told) {
+                return [stages](const DetectorInput& input) {
                     ChainFrame frame;
-                    frame.image = image;
-                    frame.seq = seq;
-                    frame.camera = told;
+                    frame.image = input.image;
+                    frame.seq = input.seq;
+                    frame.camera = input.told;
+                    frame.kinematics = input.kinematics;
                     return stages->run(frame).posts;
                 };
             }};

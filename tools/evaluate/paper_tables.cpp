@@ -1,6 +1,7 @@
 #include "tools/evaluate/paper_tables.h"
 
 #include "core/evaluation/cell.h"
+#include "tools/evaluate/paper_acceptance.h"
 #include "tools/evaluate/paper_facts.h"
 
 #include <fmt/format.h>
@@ -130,6 +131,37 @@ Table cell_table(const PaperResult& result, const RecordTable& table, std::size_
                           Cell(1000.0 * cell.in_line.bearing_rmse.value_or(nothing), 2),
                           Cell(cell.in_line.measured, 0), Cell(centimetres(other, &ErrorStatistics::bias), 1),
                           Cell(centimetres(other, &ErrorStatistics::rmse), 1)});
+    }
+    return t;
+}
+
+Table bound_table(const PaperResult& result, const RecordTable& table, std::size_t detector,
+                  std::size_t scene) {
+    Table t;
+    t.caption = result.detectors[detector];
+    t.columns = {"cm",         "tilt °",        "bound cm",         "RMSE cm", "bias cm",
+                 "RMSE/bound", "|bias|/bar",    "median/bound",     "frames",  "both edges",
+                 "identified", "called good %", "normalised error", "RMSE cm", "frames"};
+    t.groups = {{"", 2},
+                {table.refines(detector) ? "distance, frames called good" : "distance", 7},
+                {"trust", 4},
+                {"all it measured", 2}};
+    const bool refines = table.refines(detector);
+    for (int c = 0; c < cell_count; ++c) {
+        const PostSummary post = table.cell(detector, scene, c).in_line;
+        const auto good = post.good_share();
+        t.rows.push_back({Cell(evaluation_cell(c).distance_cm, 0), Cell(evaluation_cell(c).tilt_deg, 0),
+                          Cell(100.0 * post.bound.value_or(nothing), 3),
+                          Cell(centimetres(post.distance, &ErrorStatistics::rmse), 3),
+                          Cell(centimetres(post.distance, &ErrorStatistics::bias), 3),
+                          Cell(post.rmse_to_bound().value_or(nothing), 2, Cell::Mark::strong),
+                          Cell(bias_to_bar(post, evaluation_cell(c)).value_or(nothing), 2),
+                          Cell(post.median_to_bound().value_or(nothing), 2), Cell(post.measured, 0),
+                          Cell(post.both_edges, 0), Cell(post.both_edges_identified, 0),
+                          Cell(refines && good ? 100.0 * *good : nothing, 1),
+                          Cell(post.normalised_error.value_or(nothing), 2),
+                          Cell(centimetres(post.all, &ErrorStatistics::rmse), 3),
+                          Cell(post.all_measured, 0)});
     }
     return t;
 }

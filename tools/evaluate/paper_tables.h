@@ -21,4 +21,8 @@ Table tilt_table(const PaperResult& result, const RecordTable& table);
 Table cell_table(const PaperResult& result, const RecordTable& table, std::size_t detector,
                  std::size_t scene);
 
+/// The same against the bound.
+Table bound_table(const PaperResult& result, const RecordTable& table, std::size_t detector,
+                  std::size_t scene);
+
 }  // namespace goalmouth
