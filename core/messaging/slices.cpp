@@ -75,12 +75,12 @@ void SlicePacer::offer(const image_t& self_contained, Time now) {
         image.interval = guessed_interval(image.bytes.size());
     }
     last_utime_ = self_contained.utime;
-    image.start = images_.empty() ? now : std::max(now, end_of(images_.back()));
-
     if (images_.size() == 1 + most_waiting) {
         images_.pop_back();
         ++left_out_;
     }
+    // After the pop: what is left out keeps no time to send it in.
+    image.start = images_.empty() ? now : std::max(now, end_of(images_.back()));
     images_.push_back(std::move(image));
 }
 

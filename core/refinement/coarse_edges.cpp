@@ -45,10 +45,11 @@ std::optional<double> end_of_colour(const Walk& walk, const PostColour& colour, 
     const int step = to < from ? -1 : 1;
     const float alike = 10.0F * colour.spread;
     int pair = from;
+    if (!walk.inside(pair)) return std::nullopt;
     // An occluder may lie over the middle and leave the edge free.
     while (pair != to && walk.inside(pair) && walk.difference(pair) > alike) pair += step;
     for (; pair != to; pair += step) {
-        if (!walk.inside(pair + 3 * step)) return std::nullopt;
+        if (!walk.inside(pair) || !walk.inside(pair + 3 * step)) return std::nullopt;
         if (walk.difference(pair) > alike && walk.difference(pair + step) > alike) break;
     }
     if (pair == to) return std::nullopt;

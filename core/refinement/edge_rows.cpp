@@ -11,7 +11,8 @@ namespace {
 constexpr int neighbours = 4;  // rows on either side that help to tell a background's colour
 
 int pair_at(double x) {
-    return static_cast<int>(std::lround(0.5 * (x - 0.5)));
+    constexpr double far = 1e6;  // px, beyond every picture
+    return static_cast<int>(std::lround(0.5 * (std::clamp(x, -far, far) - 0.5)));
 }
 
 }  // namespace
@@ -121,6 +122,7 @@ void EdgeRowReader::read(YuyvView image, const Intrinsics& camera, const PostSil
         if (const auto middle = project(camera, post.ahead)) x = middle->x();
         for (std::size_t i = 0; i < count; ++i) {
             EdgeRow& row = rows[side][i];
+            row = {};  // what another post or frame left there says nothing
             const int top =
                 static_cast<int>(std::lround(layout.first_row + static_cast<double>(i) * layout.pitch));
             row.row = static_cast<float>(top + 0.5 * (layout.bin - 1));

@@ -89,7 +89,8 @@ int first_shown(Follower& follower, int start, int end) {
 /// Row of the line of sight at a slope along the axis in the post's middle plane.
 double row_of_slope(const PostSilhouette& post, const Intrinsics& camera, double slope, double otherwise) {
     const auto pixel = project(camera, post.ahead + slope * post.up);
-    return pixel ? pixel->y() : otherwise;
+    constexpr double far = 1e6;  // px, beyond every picture
+    return pixel && std::abs(pixel->y()) < far ? pixel->y() : otherwise;
 }
 
 double slope_in_row(const PostSilhouette& post, const Intrinsics& camera, PixelRays& rays, double row) {

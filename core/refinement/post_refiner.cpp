@@ -111,7 +111,8 @@ const char* PostRefiner::refine_one(YuyvView image, const Intrinsics& camera, co
         prior.half_angle = half_angle;
         prior.half_angle_sigma = std::max(0.5 * half_angle, least_sigma);
     }
-    prior.lean_sigma = std::sqrt(start.ahead.dot(vertical.covariance * start.ahead));
+    constexpr double surest = 1e-6;  // rad; its square has to have an inverse
+    prior.lean_sigma = std::max(surest, std::sqrt(start.ahead.dot(vertical.covariance * start.ahead)));
 
     const PostExtent extent = find_extent(image, start, colour, camera, *outline);
     if (extent.last_edge_row - extent.first_edge_row + 1 < least_rows) return "too few rows of its colour";
@@ -164,9 +165,11 @@ const std::vector<RefinedPost>& PostRefiner::refine(YuyvView image, const std::v
     for (const Post& post : posts) {
         RefinedPost& refined = refined_.emplace_back();
         refined.post = post;
+        refined.post.flags &= ~post_flag::refined;  // of an earlier time
         refined.reason = image.empty() ? "no picture" : refine_one(image, camera, up, refined);
         if (!refined.reason.empty()) {
             refined.post = post;
+            refined.post.flags &= ~post_flag::refined;
             refined.left.reset();
             refined.right.reset();
             refined.cues.clear();

@@ -168,6 +168,7 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
         for (std::size_t side = 0; side < 2; ++side) planes_[side] = state.post.plane(sides[side]);
         profile_.set_blur(state.blur, state.digital);
+        const int readings_before = readings;
         if (read_anew) {
             reading.inner = 3.0 * state.blur + 2.0;
             reading.outer = 4.0 * state.blur + 3.0;
@@ -180,10 +181,11 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
             read_anew = false;
         }
         BlurEvidence blur;
+        const bool just_read = readings_before != readings;
         const bool blur_open = iteration > 0 && iteration <= settled;
         measure(state, blur_open ? &blur : nullptr);
         // Rows that come and go with the step would keep it from settling.
-        if (iteration < settled) weigh(state, iteration > 0);
+        if (iteration < settled || just_read) weigh(state, iteration > 0);
         smooth(state);
 
         information.setZero();
@@ -192,7 +194,7 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
             if (!edges_[side]) continue;
             const Eigen::Matrix<double, 3, 4> change = state.post.plane_change(sides[side]);
             for (const EdgeRow& row : rows_[side]) {
-                if (!(row.weight > 0.0F)) continue;
+                if (!row.seen || !(row.weight > 0.0F)) continue;
                 const Eigen::Vector3d ray = row.ray.ray + (crossing(row, side) - row.ray.x) * row.ray.slope;
                 const SilhouetteStep j = -(change.transpose() * ray) / planes_[side].dot(row.ray.slope);
                 const double w =
@@ -258,7 +260,7 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
             total += 1.0;
             for (std::size_t k = 1; k <= together.size() && i + k < rows_[side].size(); ++k) {
                 const EdgeRow& other = rows_[side][i + k];
-                if (!(other.weight >= 0.5F)) continue;
+                if (!other.seen || !(other.weight >= 0.5F)) continue;
                 together[k - 1] += s * standard(other);
                 together_weight[k - 1] += 1.0;
             }

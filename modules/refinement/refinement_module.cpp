@@ -111,6 +111,7 @@ std::vector<RefinedPost> RefinementModule::unrefined(const posts_t& message, con
     std::vector<RefinedPost> posts;
     for (const Post& post : from_message(message)) {
         posts.emplace_back().post = post;
+        posts.back().post.flags &= ~post_flag::refined;
         posts.back().reason = reason;
     }
     return posts;

@@ -153,6 +153,25 @@ TEST(Slices, EightImagesWaitAndAFurtherOneReplacesTheLast) {
     EXPECT_EQ(seqs, (std::vector<std::int64_t>{0, 1, 2, 3, 4, 5, 6, 7, 11}));
 }
 
+TEST(Slices, OfImagesThatComeFasterThanTheirStampsGoOutAtTheStampsRate) {
+    SlicePacer pacer(1000);
+    Time now;
+    const Time start = now;
+    std::vector<Time> finished;
+    for (int seq = 0; seq < 300; ++seq) {  // stamped every 33 ms, offered every 10
+        const Time next = start + seq * 10ms;
+        for (auto wait = pacer.next_due(now); wait && now + *wait < next; wait = pacer.next_due(now)) {
+            now += *wait;
+            const auto slice = pacer.due(now);
+            if (slice && slice->slice == slice->slices - 1) finished.push_back(now);
+        }
+        now = next;
+        pacer.offer(image_of(160, 120, seq), now);
+    }
+    EXPECT_GT(finished.size(), 90U);
+    for (std::size_t i = 1; i < finished.size(); ++i) EXPECT_LT(finished[i] - finished[i - 1], 35ms) << i;
+}
+
 TEST(Slices, WaitForListenersThatAreBehind) {
     SlicePacer pacer(1000);
     Time now;

@@ -258,6 +258,69 @@ TEST(PostRefiner, GivesTheSameTwice) {
     EXPECT_EQ(once[1].post.distance_m, afresh[0].post.distance_m);
 }
 
+TEST(PostRefiner, WhatItMeasuredBeforeLeavesNoTrace) {
+    PostRefiner used({}, {});
+    for (const double blur : {0.6, 5.0, 0.9, 3.5}) {
+        DrawnPost scene = small_scene();
+        scene.blur = blur;
+        scene.before = [](double, double y) -> std::optional<Levels> {
+            if (std::fmod(y, 40.0) < 12.0) return Levels{30, 30, 200};
+            return std::nullopt;
+        };
+        const YuyvImage image = scene.draw();
+        for (const double moved : {-3.0, 0.0, 4.0}) {
+            PostRefiner fresh({}, {});
+            const std::vector<Post> posts = {scene.found(moved, -moved)};
+            const RefinedPost expected =
+                fresh.refine(image.view(), posts, scene.camera, scene.pose()).front();
+            const RefinedPost refined = used.refine(image.view(), posts, scene.camera, scene.pose()).front();
+            EXPECT_EQ(refined.reason, expected.reason);
+            EXPECT_EQ(refined.quality, expected.quality);
+            EXPECT_EQ(refined.post.distance_m, expected.post.distance_m);
+            EXPECT_EQ(refined.post.covariance, expected.post.covariance);
+        }
+    }
+}
+
+TEST(PostRefiner, PixelsBeyondThePicturesBordersDoNotMatter) {
+    const DrawnPost scene = small_scene();
+    const YuyvImage drawn = scene.draw();
+    const int width = 96;  // of a part of it, with the rest beyond its borders
+    const int first = 2 * static_cast<int>(scene.found().left_top.x() / 2.0) - 40;
+    const auto part_of = [&](const YuyvImage& image) {
+        return YuyvView{image.data.data() + 2 * first, width, image.height, image.stride()};
+    };
+    YuyvImage other = drawn;
+    for (int y = 0; y < other.height; ++y) {
+        std::uint8_t* row = other.data.data() + static_cast<std::ptrdiff_t>(y) * other.stride();
+        std::fill(row, row + 2 * first, std::uint8_t{250});
+        std::fill(row + 2 * (first + width), row + other.stride(), std::uint8_t{3});
+    }
+    Intrinsics camera = scene.camera;
+    camera.width = width;
+    camera.cx -= first;
+    for (int moved = -90; moved <= 90; moved += 3) {
+        Post post = scene.found();
+        for (auto* corner : {&post.left_top, &post.left_base, &post.right_top, &post.right_base})
+            corner->x() += moved - first;
+        PostRefiner one({}, {});
+        PostRefiner two({}, {});
+        const RefinedPost a = one.refine(part_of(drawn), {post}, camera, scene.pose()).front();
+        const RefinedPost b = two.refine(part_of(other), {post}, camera, scene.pose()).front();
+        EXPECT_EQ(a.reason, b.reason) << moved;
+        EXPECT_EQ(a.quality, b.quality) << moved;
+        EXPECT_EQ(a.post.distance_m, b.post.distance_m) << moved;
+    }
+}
+
+TEST(PostRefiner, WhatAnEarlierMeasurementSaidOfItselfDoesNotCount) {
+    DrawnPost scene = small_scene();
+    Post post = scene.found();
+    post.flags |= post_flag::refined;
+    PostRefiner refiner({}, {});
+    EXPECT_FALSE(refiner.refine({}, {post}, scene.camera, {}).front().post.has(post_flag::refined));
+}
+
 TEST(PostRefiner, DeclinesEmptyPicturesAndPostsThatAreNone) {
     PostRefiner refiner({}, {});
     const DrawnPost scene = small_scene();
