@@ -20,10 +20,10 @@ double kernel_share(std::size_t particles);
 
 /// What the frame says to particles that each stand for their neighbourhood: refined observations get the
 /// spread of their expectation over one particle's kernel, `share` times the covariance of (x, y, theta) of
-/// the belief about `pose`, added to theirs. Of 400 particles none may lie within the centimetre that two
-/// refined posts tell; without this the one that happens to be nearest would take all the weight. The turn of
-/// the kernel becomes part of the azimuths' common error. Others are left as they are: their errors are wider
-/// than any kernel.
+/// the belief about `pose`, added to theirs; those without a distance get its turn alone. Of 400 particles
+/// none may lie within the centimetre that two refined posts tell; without this the one that happens to be
+/// nearest would take all the weight. The turn of the kernel becomes part of the azimuths' common error.
+/// Others are left as they are: their errors are wider than any kernel.
 FrameObservation widened(const FrameObservation& frame, const PoseHypothesis& belief, double share);
 
 }  // namespace goalmouth

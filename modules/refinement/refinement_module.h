@@ -48,7 +48,9 @@ class RefinementModule : public Module {
 template <class Visitor>
 void describe_parameters(Visitor& v, RefinementModule::Parameters& p) {
     v("field", p.field, File{true}, "field and goals; empty: KidSize 2013");
-    v("frames", p.frames, Range{1, 100}, "frames", "pictures kept for posts that come later");
+    v("frames", p.frames, Range{1, 100}, "frames",
+      "pictures kept for posts that come later; of more, from all cameras, within timing.wait some may be "
+      "gone");
     v.group("timing", p.timing, "how posts, pictures and kinematics are brought together");
     describe_parameters(v, static_cast<RefinementParameters&>(p));
 }

@@ -1,5 +1,6 @@
 #include "tools/evaluate/paper_acceptance.h"
 #include "tools/evaluate/paper_run.h"
+#include "tools/evaluate/paper_settings.h"
 #include "tools/evaluate/paper_setup.h"
 #include "tools/evaluate/paper_summary.h"
 
@@ -181,6 +182,7 @@ PaperResult result_at_the_bound(const std::string& scene) {
     result.scenes = {scene};
     result.detectors = {"ransac", "refined"};
     result.options.frames_per_cell = 2;
+    result.settings = {{"detectors", nlohmann::ordered_json::object()}};
     for (int cell = 0; cell < cell_count; ++cell)
         for (int index = 0; index < 2; ++index)
             result.records.push_back(
@@ -189,7 +191,8 @@ PaperResult result_at_the_bound(const std::string& scene) {
 }
 
 std::vector<AcceptanceLine> lines_of(const PaperResult& result) {
-    return paper_acceptance(result, {result.records, 1});
+    return paper_acceptance(result,
+                            {result.records, 1, refining_detectors(result.settings, result.detectors)});
 }
 
 TEST(PaperAcceptance, HoldsWhereEveryCellDoes) {
@@ -245,6 +248,22 @@ TEST(PaperAcceptance, DoesNotHoldWhereACellIsNotMeasuredOrFramesAreRefused) {
     result.detectors = {"ransac", "other"};
     for (FrameRecord& record : result.records) record.detectors[1] = plain_record(0.2);
     EXPECT_TRUE(lines_of(result).empty()) << "nothing is asked of chains that do not refine";
+}
+
+TEST(PaperAcceptance, OfAChainThatRefinesNothingNothingHolds) {
+    PaperResult result = result_at_the_bound("lit");
+    result.settings["detectors"]["refined"]["refinement"]["executable"] = "refinement";
+    for (FrameRecord& record : result.records) record.detectors[1] = plain_record(0.2);
+    const auto lines = lines_of(result);
+    EXPECT_GE(lines.size(), 3U);
+    for (const AcceptanceLine& line : lines) EXPECT_FALSE(line.holds) << line.text();
+}
+
+TEST(PaperAcceptance, SaysOfHowManyPostsItSpeaks) {
+    PaperResult result = result_at_the_bound("match");
+    for (int cell = 0; cell < cell_count; ++cell)
+        result.records[static_cast<std::size_t>(2 * cell)].detectors[1].in_line.good = false;
+    EXPECT_THAT(lines_of(result)[0].text(), HasSubstr("of frames that show both edges it calls 50.0 % good"));
 }
 
 }  // namespace

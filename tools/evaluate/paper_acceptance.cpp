@@ -66,7 +66,7 @@ class Lines {
         add(fmt::format(
                 "RMSE of every cell ≤ {} × bound, nearer than {:g} m at least {:g} % of the distance: ",
                 rmse_factor, near_end, 100.0 * near_share) +
-                with_place(rmse, "of that") + with_bound(rmse),
+                with_place(rmse, "of that") + with_bound(rmse) + of_share(),
             rmse, rmse.value <= 1.0);
         const Worst bias = worst(
             [](const Summary& cell, const EvaluationCell& at) { return bias_to_bar(cell.in_line, at); });
@@ -79,10 +79,14 @@ class Lines {
         if (found == result_.detectors.end()) return;
         const auto other = static_cast<std::size_t>(found - result_.detectors.begin());
         const auto both = table_.compare(detector_, other, scene_);
-        if (!both) return;
+        if (!both) {
+            add(fmt::format("RMSE over all cells ≤ 1/{:g} of {}'s: nothing measured", asked, plain), false);
+            return;
+        }
         add(fmt::format("RMSE over all cells ≤ 1/{:g} of {}'s: 1/{:.1f} ({:.2f} of {:.2f} cm, {} frames)",
                         asked, plain, both->other_rmse / both->rmse, 100.0 * both->rmse,
-                        100.0 * both->other_rmse, both->frames),
+                        100.0 * both->other_rmse, both->frames) +
+                of_share(),
             both->rmse * asked <= both->other_rmse);
     }
 
@@ -141,6 +145,13 @@ class Lines {
         const PostSummary cell = table_.cell(detector_, scene_, worst.cell).in_line;
         return fmt::format(" (RMSE {:.3f} cm, bound {:.3f} cm)", 100.0 * cell.distance->rmse,
                            100.0 * *cell.bound);
+    }
+
+    /// Of how many posts the line speaks.
+    std::string of_share() const {
+        const auto share = table_.whole(detector_, scene_).in_line.good_share();
+        return share ? fmt::format("; of frames that show both edges it calls {:.1f} % good", 100.0 * *share)
+                     : std::string();
     }
 
     static std::string over_all(const std::optional<double>& value) {

@@ -4,6 +4,7 @@
 #include "tools/evaluate/paper_json_names.h"
 #include "tools/evaluate/paper_result.h"
 #include "tools/evaluate/paper_rule.h"
+#include "tools/evaluate/paper_settings.h"
 #include "tools/evaluate/paper_summary.h"
 #include "tools/evaluate/shard.h"
 
@@ -199,7 +200,8 @@ std::string paper_json(const PaperResult& result) {
     put("camera", result.settings.at("camera"));
     put("rule", paper_rule());
     put("paper", paper_of());
-    const RecordTable table(result.records, result.scenes.size());
+    const RecordTable table(result.records, result.scenes.size(),
+                            refining_detectors(result.settings, result.detectors));
     put_text("cells", lines(cells_of(result, table)));
     put_text("tilts", lines(tilts_of(result, table)));
     put_text("acceptance", lines(acceptance_of(result, table)));

@@ -8,6 +8,7 @@
 #include "tools/evaluate/paper_figures.h"
 #include "tools/evaluate/paper_headline.h"
 #include "tools/evaluate/paper_rule.h"
+#include "tools/evaluate/paper_settings.h"
 #include "tools/evaluate/paper_summary.h"
 #include "tools/evaluate/paper_tables.h"
 #include "tools/evaluate/report/figure.h"
@@ -128,7 +129,8 @@ void add_failures(HtmlPage& page, const PaperResult& result, const PaperSetup& s
 void write_paper_report(const PaperResult& result, const PaperSetup* setup,
                         const std::filesystem::path& target) {
     ReportFolder folder(target);
-    const RecordTable table(result.records, result.scenes.size());
+    const RecordTable table(result.records, result.scenes.size(),
+                            refining_detectors(result.settings, result.detectors));
     HtmlPage page(
         "Goalpost detection and distance, as in the paper",
         "Six distances and three tilts of the body, in line with the right post, on rendered frames "

@@ -50,7 +50,8 @@ nlohmann::ordered_json paper_rule() {
         "of a chain that refines: in_line_identified frames whose detection is flagged as measured anew in "
         "the pixels. rmse_cm, bias_cm, sigma_cm, median_abs_cm and p95_abs_cm of such a chain are over "
         "those, "
-        "all_measured over every frame it measured; a chain refines if it calls any post good";
+        "all_measured over every frame it measured; a chain refines if its graph has the program "
+        "`refinement`, or if it calls any post good";
     j["both_edges"] =
         "frames in which the post in line counts and a third or more of each of its edges, of what lies "
         "between the picture's first and last row, is in the picture, not hidden, and differs from the "

@@ -68,4 +68,17 @@ Json settings_as_json(const Graph& graph) {
     return j;
 }
 
+std::vector<bool> refining_detectors(const nlohmann::ordered_json& settings,
+                                     const std::vector<std::string>& detectors) {
+    std::vector<bool> refining;
+    for (const std::string& name : detectors) {
+        const auto graph = settings.value("detectors", nlohmann::ordered_json::object())
+                               .value(name, nlohmann::ordered_json::object());
+        refining.push_back(std::any_of(graph.begin(), graph.end(), [](const auto& process) {
+            return process.is_object() && process.value("executable", "") == "refinement";
+        }));
+    }
+    return refining;
+}
+
 }  // namespace goalmouth

@@ -3,6 +3,9 @@
 #include "core/process/graph.h"
 #include "tools/evaluate/paper_run.h"
 
+#include <string>
+#include <vector>
+
 #include <nlohmann/json.hpp>
 
 namespace goalmouth {
@@ -17,5 +20,9 @@ inline constexpr const char* hash_suffix = ".fnv1a";
 /// alone, because folders differ from machine to machine, and those that are no YAML, such as colour tables,
 /// by the hash of their content as well.
 nlohmann::ordered_json settings_as_json(const Graph& graph);
+
+/// Which of `detectors` have the program `refinement` in their graph, by the settings of a run.
+std::vector<bool> refining_detectors(const nlohmann::ordered_json& settings,
+                                     const std::vector<std::string>& detectors);
 
 }  // namespace goalmouth

@@ -94,8 +94,9 @@ Summary summarise(const std::vector<const DetectorRecord*>& records, bool refine
     return summary;
 }
 
-RecordTable::RecordTable(const std::vector<FrameRecord>& records, std::size_t scenes)
-    : cells_(scenes * cell_count) {
+RecordTable::RecordTable(const std::vector<FrameRecord>& records, std::size_t scenes,
+                         std::vector<bool> refining)
+    : cells_(scenes * cell_count), refines_(std::move(refining)) {
     for (const FrameRecord& record : records) {
         cells_[static_cast<std::size_t>(record.place.scene * cell_count + record.place.cell)].push_back(
             &record);

@@ -57,10 +57,10 @@ Summary summarise(const std::vector<const DetectorRecord*>& records, bool refine
 /// A run's records by detector, scene and cell, in the order of the run.
 class RecordTable {
   public:
-    /// The records must outlive the table.
-    RecordTable(const std::vector<FrameRecord>& records, std::size_t scenes);
+    /// The records must outlive the table. `refining`: detectors known to refine, whatever they say of posts.
+    RecordTable(const std::vector<FrameRecord>& records, std::size_t scenes, std::vector<bool> refining = {});
 
-    /// Whether a detector called any post good: then it is one that refines.
+    /// Whether a detector is known to refine or called any post good.
     bool refines(std::size_t detector) const { return detector < refines_.size() && refines_[detector]; }
 
     Summary cell(std::size_t detector, std::size_t scene, int cell) const;

@@ -3,6 +3,7 @@
 #include "core/evaluation/cell.h"
 #include "tools/evaluate/paper_acceptance.h"
 #include "tools/evaluate/paper_facts.h"
+#include "tools/evaluate/paper_settings.h"
 #include "tools/evaluate/paper_summary.h"
 
 #include <fmt/format.h>
@@ -57,7 +58,8 @@ std::string largest_rmse(const RecordTable& table, std::size_t detector, std::si
 }  // namespace
 
 std::string paper_table(const PaperResult& result) {
-    const RecordTable table(result.records, result.scenes.size());
+    const RecordTable table(result.records, result.scenes.size(),
+                            refining_detectors(result.settings, result.detectors));
     std::string text;
     for (std::size_t d = 0; d < result.detectors.size(); ++d) {
         for (std::size_t s = 0; s < result.scenes.size(); ++s) {

@@ -10,6 +10,7 @@
 #include "core/conversion/posts.h"
 #include "core/conversion/refinement.h"
 #include "core/messaging/channels.h"
+#include "core/messaging/image_output.h"
 #include "core/messaging/memory_bus.h"
 #include "core/messaging/typed.h"
 #include "core/process/configuration.h"
@@ -119,21 +120,11 @@ fs::path camera_of(const Graph& graph) {
 }
 
 image_t image_message(YuyvView image, const Intrinsics& camera, std::int64_t utime, std::int64_t seq) {
-    image_t m{};
-    m.utime = utime;
-    m.seq = seq;
-    m.camera = "picture";
-    m.intrinsics = to_message(camera);
-    m.width = image.width;
-    m.height = image.height;
-    m.row_stride = yuyv_row_bytes(image.width);
-    m.encoding = "yuyv";
-    m.slot = -1;
-    m.generation = -1;
-    for (int y = 0; y < image.height; ++y)
-        m.data.insert(m.data.end(), image.row(y), image.row(y) + m.row_stride);
-    m.size = m.data_size = static_cast<std::int32_t>(m.data.size());
-    return m;
+    FrameInfo info;
+    info.utime = utime;
+    info.seq = seq;
+    info.intrinsics = to_message(camera);
+    return self_contained_yuyv(info, "picture", image);
 }
 
 struct Stage {
