@@ -13,6 +13,9 @@
 
 namespace goalmouth {
 
+/// px, sigma of edges as cameras show them, from row to row, beside what noise explains.
+inline constexpr double edge_roughness = 0.02;
+
 /// How bright one side of an edge is in a row, from the rows about it.
 struct EdgeLevel {
     float value = 0.0F;

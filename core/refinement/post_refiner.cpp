@@ -1,5 +1,6 @@
 #include "core/refinement/post_refiner.h"
 
+#include "core/refinement/fit_quality.h"
 #include "core/refinement/post_extent.h"
 #include "core/refinement/refined_measurement.h"
 
@@ -122,31 +123,15 @@ const char* PostRefiner::refine_one(YuyvView image, const Intrinsics& camera, co
     refined.rows = layout.count;
     refined.iterations = fit.iterations;
     if (!(fit.covariance.allFinite() && fit.covariance.diagonal().minCoeff() > 0.0) ||
-        fit.agreeing == std::array<int, 2>{})
+        fit.scatter.agreeing == std::array<int, 2>{})
         return "no edge in its pixels";
     for (std::size_t side = 0; side < 2; ++side) {
         if (!edges[side]) continue;
         auto& edge = side == 0 ? refined.left : refined.right;
         edge = RefinedEdge{fit.post.plane(side == 0 ? OutlineSide::left : OutlineSide::right),
-                           fit.agreeing[side]};
+                           fit.scatter.agreeing[side]};
     }
-    double quality = 1.0;
-    for (std::size_t side = 0; side < 2; ++side) {
-        if (!edges[side]) continue;
-        const double looked = std::max(1, fit.looked_at[side]);
-        quality = std::min({quality, fit.agreeing[side] / (0.6 * looked), fit.agreeing[side] / 16.0,
-                            fit.agreeing[side] / (0.15 * std::max(1, layout.count)),
-                            1.0 - 0.8 * coarse[side]->rival});
-    }
-    if (edges[0] && edges[1]) {
-        // Twice as far off as least_quality's default lets pass: σ of the distance a twentieth of it.
-        constexpr double unsure = 0.025;
-        const double sigma =
-            std::sqrt(fit.covariance(silhouette_part::half_angle, silhouette_part::half_angle)) /
-            std::tan(fit.post.half_angle);
-        quality = std::min(quality, unsure / sigma);
-    }
-    refined.quality = fit.converged ? std::clamp(quality, 0.0, 1.0) : 0.0;
+    refined.quality = fit_quality(fit, coarse, edges, layout.count);
     if (refined.quality < parameters_.least_quality) return "its pixels fit badly";
     if (!edges[0]) post.flags |= post_flag::left_edge_missing;
     if (!edges[1]) post.flags |= post_flag::right_edge_missing;

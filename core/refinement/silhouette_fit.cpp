@@ -10,33 +10,10 @@ namespace goalmouth {
 namespace {
 
 constexpr std::array<OutlineSide, 2> sides = {OutlineSide::left, OutlineSide::right};
-constexpr double tukey = 6.0;       // sigmas; 98 % efficient where nothing is wrong
-constexpr double roughness = 0.02;  // px, of edges as cameras show them, from row to row
 constexpr double narrowest_blur = 0.3, widest_blur = 6.0;
 
 double outwards(std::size_t side) {
     return side == 0 ? -1.0 : 1.0;
-}
-
-float middle_of(std::vector<float>& values) {
-    if (values.empty()) return 0.0F;
-    const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), half, values.end());
-    return *half;
-}
-
-/// χ²/n of n degrees of freedom that a normal deviate of `sigmas` stands for (Wilson and Hilferty, 1931).
-double mean_square(double n, double sigmas) {
-    const double t = 2.0 / (9.0 * n);
-    const double root = std::max(0.05, 1.0 - t + sigmas * std::sqrt(t));
-    return root * root * root;
-}
-
-float third_of(std::vector<float>& values) {
-    if (values.empty()) return 0.0F;
-    const auto third = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 3);
-    std::nth_element(values.begin(), third, values.end());
-    return *third;
 }
 
 /// Angle from the prior's up to the silhouette's within its middle plane, in the sense of `lean`.
@@ -71,70 +48,6 @@ void SilhouetteFitter::smooth(const SilhouetteFit& state) {
         if (edges_[side]) smoother_.smooth(rows_[side], state.noise[side]);
 }
 
-void SilhouetteFitter::weigh(SilhouetteFit& state, bool gate) {
-    for (std::size_t side = 0; side < 2; ++side) {
-        sorted_.clear();
-        for (const EdgeRow& row : rows_[side])
-            if (row.seen && row.information > 0.0F) sorted_.push_back(row.misfit);
-        // A third of the rows tells the noise: fewer than that are never clean. That the pixels are noisier
-        // than the colours' own noise says, by more than this, is the background's doing.
-        constexpr double cleanest = 0.3, noisiest = 2.5, third = -0.431;
-        if (sorted_.empty()) continue;
-        double freedom = 0.0;
-        for (const EdgeRow& row : rows_[side])
-            if (row.seen && row.information > 0.0F) freedom += static_cast<double>(row.freedom);
-        freedom_[side] = std::max(1.0, freedom / static_cast<double>(sorted_.size()));
-        state.noise[side] = std::clamp(
-            static_cast<double>(third_of(sorted_)) / mean_square(freedom_[side], third), cleanest, noisiest);
-    }
-
-    sorted_.clear();
-    const double rough = roughness * roughness;
-    for (const auto& rows : rows_) {
-        for (const EdgeRow& row : rows) {
-            if (!row.seen || !(row.information > 0.0F)) continue;
-            const double variance = 1.0 / static_cast<double>(row.information) + rough;
-            sorted_.push_back(
-                static_cast<float>(std::abs(static_cast<double>(row.offset)) / std::sqrt(variance)));
-        }
-    }
-    const double spread = std::max(1.0, 1.4826 * static_cast<double>(middle_of(sorted_)));
-    for (std::size_t side = 0; side < 2; ++side) {
-        std::vector<EdgeRow>& all = rows_[side];
-        const double own_usual = mean_square(freedom_[side], 2.0),
-                     own_most = mean_square(freedom_[side], 4.5);
-        const double local_usual = mean_square(5.0 * freedom_[side], 2.3),
-                     local_most = mean_square(5.0 * freedom_[side], 5.0);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            EdgeRow& row = all[i];
-            row.weight = 0.0F;
-            if (!row.seen || !(row.information > 0.0F)) continue;
-            const double variance = 1.0 / static_cast<double>(row.information) + rough;
-            const double miss = static_cast<double>(row.offset) / (std::sqrt(variance) * spread * tukey);
-            const double far = 1.0 - miss * miss;
-            if (far <= 0.0) continue;
-            double weight = far * far;
-            if (gate) {
-                // What lies behind a post or before it does so in several rows, and where it begins and ends
-                // it disturbs less than can be seen in one row.
-                double sum = 0.0, count = 0.0;
-                for (std::size_t k = i < 2 ? 0 : i - 2; k < std::min(all.size(), i + 3); ++k) {
-                    if (!all[k].seen || !(all[k].information > 0.0F)) continue;
-                    sum += static_cast<double>(all[k].misfit);
-                    count += 1.0;
-                }
-                const double local = sum / (count * state.noise[side]);
-                const double own = static_cast<double>(row.misfit) / state.noise[side];
-                const double unlike = std::max({0.0, (local - local_usual) / (local_most - local_usual),
-                                                (own - own_usual) / (own_most - own_usual)});
-                const double clean = 1.0 - unlike * unlike;
-                weight *= clean <= 0.0 ? 0.0 : clean * clean;
-            }
-            row.weight = static_cast<float>(weight);
-        }
-    }
-}
-
 void SilhouetteFitter::fit_blur(SilhouetteFit& state, BlurEvidence& evidence) {
     // The share lies between 0 and 1: what is known of it before.
     constexpr double share_sigma = 0.5;
@@ -164,7 +77,7 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
     int readings = 0;
     bool read_anew = true;
     Information information = Information::Zero(), prior_information = Information::Zero();
-    const double rough = roughness * roughness;
+    constexpr double rough = edge_roughness * edge_roughness;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
         for (std::size_t side = 0; side < 2; ++side) planes_[side] = state.post.plane(sides[side]);
         profile_.set_blur(state.blur, state.digital);
@@ -185,7 +98,7 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
         const bool blur_open = iteration > 0 && iteration <= settled;
         measure(state, blur_open ? &blur : nullptr);
         // Rows that come and go with the step would keep it from settling.
-        if (iteration < settled || just_read) weigh(state, iteration > 0);
+        if (iteration < settled || just_read) gate_.weigh(rows_, state.noise, iteration > 0);
         smooth(state);
 
         information.setZero();
@@ -238,48 +151,12 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
     }
     for (std::size_t side = 0; side < 2; ++side) planes_[side] = state.post.plane(sides[side]);
 
-    // How the rows' offsets scatter about the fit, and how much neighbours resemble each other.
-    double squares = 0.0, total = 0.0;
-    std::array<double, 8> together{}, together_weight{};
-    for (std::size_t side = 0; side < 2; ++side) {
-        double used = 0.0, all = 0.0;
-        const auto standard = [](const EdgeRow& row) {
-            return static_cast<double>(row.offset) /
-                   std::sqrt(1.0 / static_cast<double>(row.information) + roughness * roughness);
-        };
-        for (std::size_t i = 0; i < rows_[side].size(); ++i) {
-            const EdgeRow& row = rows_[side][i];
-            if (!row.seen || !(row.information > 0.0F)) continue;
-            ++state.looked_at[side];
-            all += static_cast<double>(row.information);
-            used += static_cast<double>(row.weight) * static_cast<double>(row.information);
-            if (row.weight < 0.5F) continue;
-            ++state.agreeing[side];
-            const double s = standard(row);
-            squares += s * s;
-            total += 1.0;
-            for (std::size_t k = 1; k <= together.size() && i + k < rows_[side].size(); ++k) {
-                const EdgeRow& other = rows_[side][i + k];
-                if (!other.seen || !(other.weight >= 0.5F)) continue;
-                together[k - 1] += s * standard(other);
-                together_weight[k - 1] += 1.0;
-            }
-        }
-        state.share[side] = all > 0.0 ? used / all : 0.0;
-    }
-    if (!(total > 8.0)) {
+    state.scatter = row_scatter(rows_);
+    if (!state.scatter.enough) {
         state.converged = false;
         return state;
     }
-    constexpr double free = 4.0;  // parameters
-    state.scatter = squares / (total - free);
-    for (std::size_t k = 0; k < together.size(); ++k) {
-        if (!(together_weight[k] > 8.0)) break;
-        const double similar = together[k] / together_weight[k] * total / squares;
-        if (similar < 1.6 / std::sqrt(together_weight[k])) break;
-        state.correlation += 2.0 * similar;
-    }
-    const double scale = 1.0 / (std::max(state.scatter, 0.5) * state.correlation);
+    const double scale = 1.0 / (std::max(state.scatter.variance, 0.5) * state.scatter.correlation);
     state.covariance = (scale * information + prior_information).ldlt().solve(Information::Identity());
     return state;
 }

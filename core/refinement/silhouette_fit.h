@@ -2,7 +2,9 @@
 
 #include "core/refinement/edge_rows.h"
 #include "core/refinement/post_silhouette.h"
+#include "core/refinement/row_gate.h"
 #include "core/refinement/row_measurement.h"
+#include "core/refinement/row_scatter.h"
 #include "core/refinement/step_profile.h"
 
 #include <array>
@@ -26,13 +28,9 @@ struct SilhouetteFit {
     double blur = 0.0;                                     // px, σ along the rows
     double digital = 0.5;                                  // share of it that pixels underwent (StepProfile)
     std::array<double, 2> noise = {1.0, 1.0};              // variance of the values on either side
-    double scatter = 1.0;      // of the rows' offsets, against what that noise explains; variance
-    double correlation = 1.0;  // rows that say as much as one on its own
     int iterations = 0;
     bool converged = false;
-    std::array<int, 2> looked_at{};  // rows where the background differs
-    std::array<int, 2> agreeing{};   // of these, which count for half or more
-    std::array<double, 2> share{};   // of the information that counts
+    RowScatter scatter;
 };
 
 /// Fits the two planes of a silhouette to rows of pixels.
@@ -41,9 +39,8 @@ struct SilhouetteFit {
 /// offset t and its information I, all pixel-level unknowns eliminated, so that
 ///     H = Σ ω I J Jᵀ + P,  J = d(crossing) / d(step) = −(ray·dn/dstep) / (n·ray'),
 /// is the information of the full fit over all pixels. The prior P holds the lean: only the part of the
-/// measured vertical within the middle plane is used, the rest is read from the picture. ω gates each row of
-/// each side on its own: Tukey's biweight of its offset against the common fit, 0 where its pixels are not
-/// those of one step. Blur and noise are fitted along with it, pooled over the rows that count.
+/// measured vertical within the middle plane is used, the rest is read from the picture. ω gates rows
+/// (RowGate). Blur and noise are fitted along with it, pooled over the rows that count.
 ///
 /// The covariance is H⁻¹ with the rows' information scaled to the scatter they show, and by how much
 /// neighbouring rows' offsets resemble each other (compressed pictures).
@@ -62,7 +59,6 @@ class SilhouetteFitter {
     void measure(const SilhouetteFit& state, BlurEvidence* blur);
     void smooth(const SilhouetteFit& state);
     static void fit_blur(SilhouetteFit& state, BlurEvidence& evidence);
-    void weigh(SilhouetteFit& state, bool gate);
     /// px from an edge in a row to the other one, where that is near enough to matter; else 0.
     double other_edge(const SilhouetteFit& state, std::size_t side, std::size_t row, double here) const;
     double crossing(const EdgeRow& row, std::size_t side) const { return row.ray.crossing(planes_[side]); }
@@ -73,8 +69,7 @@ class SilhouetteFitter {
     EdgeRowReader reader_;
     StepProfile profile_;
     LevelSmoother smoother_;
-    std::vector<float> sorted_;
-    std::array<double, 2> freedom_ = {1.0, 1.0};  // of a row's misfit, on either side, on average
+    RowGate gate_;
 };
 
 }  // namespace goalmouth

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/refinement/coarse_edges.h"
+#include "core/refinement/silhouette_fit.h"
+
+#include <array>
+
+namespace goalmouth {
+
+/// How far a fit may be trusted, 0…1: the least of what each thing that can go wrong leaves.
+///
+/// Rows    of either edge, how many agree of those in which the background differs, of a number that can be
+///         trusted, and of all rows;
+/// Rival   how well crossings agree with another edge parallel to one of them (CoarseEdge::rival);
+/// Width   the relative sigma of the distance.
+/// 0 where the fit has not converged. `rows`: in which edges were looked for.
+double fit_quality(const SilhouetteFit& fit, const CoarseEdgeFinder::Edges& coarse,
+                   const std::array<bool, 2>& edges, int rows);
+
+}  // namespace goalmouth
