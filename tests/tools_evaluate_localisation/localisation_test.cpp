@@ -211,6 +211,13 @@ TEST_F(LocalisationVerb, WritesJsonAndReportAndMerges) {
     EXPECT_TRUE(std::filesystem::exists(path("report/index.html")));
 }
 
+TEST_F(LocalisationVerb, BothGoalsStandInEveryScene) {
+    ASSERT_EQ(localisation({"--runs", "1", "--seconds", "0.1", "--scene", "lit", "--detectors", "ransac",
+                            "--json", path("a.json")}),
+              0);
+    EXPECT_EQ(json("a.json")["settings"]["formation"]["hall"]["own_goal"], true);
+}
+
 TEST_F(LocalisationVerb, RefusesWhatCannotBe) {
     const std::string old = write("old.json", "old");
     const auto error = [&](std::vector<std::string> more) {

@@ -95,6 +95,9 @@ LocalisationOptions options_of(const Given& given) {
     options.frames_per_second = simulator.frames_per_second;
     options.simulation = {load_parameters_or_defaults<ImageFormationParameters>(scene), simulator.walk,
                           simulator.kinematics};
+    // Scenes of the paper's other experiment lack the own goal. Here the filter knows a field with both, and
+    // starts at either side line: which of them, it could not tell.
+    options.simulation.formation.hall.own_goal = true;
     options.field_file = given.field.empty() ? fs::path(simulator.field) : given_file(given.field, "--field");
     options.field = load_parameters_or_defaults<Field>(options.field_file);
     options.camera = load_parameters_or_defaults<Intrinsics>(
@@ -157,8 +160,10 @@ void add_evaluate_localisation(CLI::App& evaluate_verb, Action& action) {
     verb->add_option("--seed", given->seed, "everything random follows from it")->capture_default_str();
     verb->add_option("--seconds", given->seconds, "length of the walk; else until the robot is at the ball")
         ->check(positive_number());
-    verb->add_option("--scene", given->scene,
-                     "hall, light and camera: a name in config/scenes or a file; else the simulator's");
+    verb->add_option(
+        "--scene", given->scene,
+        "hall, light and camera: a name in config/scenes or a file; else the simulator's; both goals stand "
+        "whatever it says");
     verb->add_option("--set", given->settings, "PROCESS.KEY=VALUE: a parameter of every graph that has it")
         ->allow_extra_args(false);
     verb->add_option("--field", given->field, "field description; else the simulator's");
