@@ -14,11 +14,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float shortest_sample = 4.0F;  // of the grid
 
-using Doubles = hn::CappedTag<double, room_behind_points / 2>;
 using Floats = hn::CappedTag<float, room_behind_points>;
 using Integers = hn::RebindToSigned<Floats>;
 using Shorts = hn::CappedTag<std::int16_t, 2 * room_behind_points>;
-using DoubleVector = hn::Vec<Doubles>;
 using IntegerVector = hn::Vec<Integers>;
 using ShortVector = hn::Vec<Shorts>;
 
@@ -46,14 +44,25 @@ struct Hypotheses {
     alignas(64) std::int16_t offset[LineSamples::most];
 };
 
+/// What rounds a number of less than 2^22 to a whole one when it is added: it stands in the lower digits
+/// then.
+constexpr float whole_number = 0x1.8p23F;
+
+/// The lower 16 bits of such sums.
+HWY_INLINE void store_whole(hn::Vec<Floats> sum, std::int16_t* to) {
+    const hn::Rebind<std::uint16_t, Integers> words;
+    hn::StoreU(hn::TruncateTo(words, hn::BitCast(hn::RebindToUnsigned<Integers>(), sum)), words,
+               reinterpret_cast<std::uint16_t*>(to));
+}
+
 HWY_INLINE void lines_through(const LineSamples& samples, Hypotheses& lines) {
     const Integers n;
     const Floats f;
-    const hn::Rebind<std::int16_t, Integers> words;
     // Shorter than this the digits behind the point do not suffice for a direction.
     const auto least = hn::Set(f, shortest_sample * shortest_sample * 0x1p32F);
     // Less than 2^15 by the share that the approximate root may be wrong.
     const auto unit = hn::Set(f, 32500.0F);
+    const auto whole = hn::Set(f, whole_number);
     for (std::size_t i = 0; i < samples.count; i += hn::Lanes(n)) {
         IntegerVector x;
         IntegerVector y;
@@ -67,14 +76,13 @@ HWY_INLINE void lines_through(const LineSamples& samples, Hypotheses& lines) {
         // With no normal it is a line that every point lies on.
         const auto shorten =
             hn::IfThenElseZero(hn::Ge(square, least), hn::Mul(hn::ApproximateReciprocalSqrt(square), unit));
-        const auto normal_x = hn::NearestInt(hn::Mul(along_y, shorten));
-        const auto normal_y = hn::NearestInt(hn::Neg(hn::Mul(along_x, shorten)));
-        const auto along_normal = hn::MulAdd(hn::ConvertTo(f, normal_x), hn::ConvertTo(f, x),
-                                             hn::Mul(hn::ConvertTo(f, normal_y), hn::ConvertTo(f, y)));
-        const auto offset = hn::NearestInt(hn::Mul(along_normal, hn::Set(f, 0x1p-31F)));
-        hn::StoreU(hn::DemoteTo(words, normal_x), words, lines.normal_x + i);
-        hn::StoreU(hn::DemoteTo(words, normal_y), words, lines.normal_y + i);
-        hn::StoreU(hn::DemoteTo(words, offset), words, lines.offset + i);
+        const auto normal_x = hn::MulAdd(along_y, shorten, whole);
+        const auto normal_y = hn::NegMulAdd(along_x, shorten, whole);
+        const auto along_normal = hn::MulAdd(hn::Sub(normal_x, whole), hn::ConvertTo(f, x),
+                                             hn::Mul(hn::Sub(normal_y, whole), hn::ConvertTo(f, y)));
+        store_whole(normal_x, lines.normal_x + i);
+        store_whole(normal_y, lines.normal_y + i);
+        store_whole(hn::MulAdd(along_normal, hn::Set(f, 0x1p-31F), whole), lines.offset + i);
     }
 }
 
@@ -94,11 +102,13 @@ struct LineLanes {
     ShortVector normal_y;
     ShortVector start;  // what is here or less than 2 · near behind is near, with no more than one comparison
 
+    HWY_INLINE LineLanes(ShortVector to_x, ShortVector to_y, ShortVector offset, std::int16_t near)
+        : normal_x(to_x),
+          normal_y(to_y),
+          start(hn::Sub(offset, hn::Set(Shorts(), static_cast<std::int16_t>(near - 1 - 32768)))) {}
     HWY_INLINE LineLanes(const Hypotheses& lines, std::size_t i, std::int16_t near)
-        : normal_x(hn::Load(Shorts(), lines.normal_x + i)),
-          normal_y(hn::Load(Shorts(), lines.normal_y + i)),
-          start(hn::Sub(hn::Load(Shorts(), lines.offset + i),
-                        hn::Set(Shorts(), static_cast<std::int16_t>(near - 1 - 32768)))) {}
+        : LineLanes(hn::Load(Shorts(), lines.normal_x + i), hn::Load(Shorts(), lines.normal_y + i),
+                    hn::Load(Shorts(), lines.offset + i), near) {}
 
     /// Which lines pass the point near.
     HWY_INLINE hn::Mask<Shorts> is_near(ShortVector x, ShortVector y, ShortVector end) const {
@@ -117,33 +127,81 @@ HWY_INLINE ShortVector in_all_lanes(std::int32_t twice) {
 #endif
 }
 
+/// The counts of the points near to some vectors of lines.
+template <std::size_t vectors>
+HWY_INLINE void count_lanes_near(const Hypotheses& lines, std::size_t first, std::int16_t near,
+                                 const GridPoint* HWY_RESTRICT points, std::size_t count,
+                                 std::uint16_t* HWY_RESTRICT counts) {
+    const Shorts s;
+    const std::size_t lanes = hn::Lanes(s);
+    const auto end = hn::Set(s, static_cast<std::int16_t>(2 * near - 1 - 32768));
+    const LineLanes a(lines, first, near);
+    const LineLanes b(lines, first + (vectors > 1 ? lanes : 0), near);
+    const LineLanes c(lines, first + (vectors > 2 ? 2 * lanes : 0), near);
+    auto count_a = hn::Zero(s);
+    auto count_b = hn::Zero(s);
+    auto count_c = hn::Zero(s);
+    for (std::size_t p = 0; p < count; ++p) {
+        const auto x = in_all_lanes(points[p].x);
+        const auto y = in_all_lanes(points[p].y);
+        count_a = count_lanes(a.is_near(x, y, end), count_a);
+        if constexpr (vectors > 1) count_b = count_lanes(b.is_near(x, y, end), count_b);
+        if constexpr (vectors > 2) count_c = count_lanes(c.is_near(x, y, end), count_c);
+    }
+    const hn::RebindToUnsigned<Shorts> u;
+    hn::Store(hn::BitCast(u, count_a), u, counts + first);
+    if constexpr (vectors > 1) hn::Store(hn::BitCast(u, count_b), u, counts + first + lanes);
+    if constexpr (vectors > 2) hn::Store(hn::BitCast(u, count_c), u, counts + first + 2 * lanes);
+}
+
+#if HWY_TARGET != HWY_SCALAR
+/// The same for one line, with a point in each two lanes.
+HWY_INLINE std::uint16_t count_points_near(const Hypotheses& lines, std::size_t i, std::int16_t near,
+                                           const GridPoint* HWY_RESTRICT points, std::size_t count) {
+    const Shorts s;
+    const Integers n;
+    const std::size_t at_once = hn::Lanes(n);
+    const auto end = hn::Set(s, static_cast<std::int16_t>(2 * near - 1 - 32768));
+    const LineLanes line(hn::Set(s, lines.normal_x[i]), hn::Set(s, lines.normal_y[i]),
+                         hn::Set(s, lines.offset[i]), near);
+    auto sum = hn::Zero(n);
+    for (std::size_t p = 0; p < count; p += at_once) {
+        IntegerVector x;
+        IntegerVector y;
+        hn::LoadInterleaved2(n, &points[p].x, x, y);
+        const auto is_near =
+            hn::BitCast(n, hn::VecFromMask(s, line.is_near(hn::BitCast(s, x), hn::BitCast(s, y), end)));
+        sum = hn::Add(sum, hn::IfThenElseZero(hn::FirstN(n, count - p), is_near));
+    }
+    return static_cast<std::uint16_t>(-hn::GetLane(hn::SumOfLanes(n, sum)));
+}
+#endif
+
 /// The counts of up to 2^15 points.
 HWY_INLINE void count_near(const Hypotheses& lines, std::size_t hypotheses, std::int16_t near,
                            const GridPoint* HWY_RESTRICT points, std::size_t count,
                            std::uint16_t* HWY_RESTRICT counts) {
-    const Shorts s;
-    const std::size_t lanes = hn::Lanes(s);
-    const auto end = hn::Set(s, static_cast<std::int16_t>(2 * near - 1 - 32768));
-    const hn::RebindToUnsigned<Shorts> u;
-    for (std::size_t i = 0; i < hypotheses; i += 2 * lanes) {
-        const LineLanes a(lines, i, near);
-        auto count_a = hn::Zero(s);
-        if (i + lanes < hypotheses) {
-            const LineLanes b(lines, i + lanes, near);
-            auto count_b = hn::Zero(s);
-            for (std::size_t p = 0; p < count; ++p) {
-                const auto x = in_all_lanes(points[p].x);
-                const auto y = in_all_lanes(points[p].y);
-                count_a = count_lanes(a.is_near(x, y, end), count_a);
-                count_b = count_lanes(b.is_near(x, y, end), count_b);
-            }
-            hn::Store(hn::BitCast(u, count_b), u, counts + i + lanes);
-        } else {
-            for (std::size_t p = 0; p < count; ++p)
-                count_a = count_lanes(a.is_near(in_all_lanes(points[p].x), in_all_lanes(points[p].y), end),
-                                      count_a);
+    const std::size_t lanes = hn::Lanes(Shorts());
+    std::size_t i = 0;
+    while (hypotheses > i) {
+        const std::size_t rest = hypotheses - i;
+#if HWY_TARGET != HWY_SCALAR
+        // A vector for a few lines would mostly count nothing.
+        if (8 * rest <= lanes) {
+            for (; i < hypotheses; ++i) counts[i] = count_points_near(lines, i, near, points, count);
+            break;
         }
-        hn::Store(hn::BitCast(u, count_a), u, counts + i);
+#endif
+        if (rest > 2 * lanes + lanes / 8) {
+            count_lanes_near<3>(lines, i, near, points, count, counts);
+            i += 3 * lanes;
+        } else if (rest > lanes + lanes / 8) {
+            count_lanes_near<2>(lines, i, near, points, count, counts);
+            i += 2 * lanes;
+        } else {
+            count_lanes_near<1>(lines, i, near, points, count, counts);
+            i += lanes;
+        }
     }
 }
 
@@ -178,63 +236,6 @@ SupportBounds bound_support(const LineSamples& samples, std::int16_t near, const
     return bounds;
 }
 
-/// Line::distance() < distance, operation by operation: no fused multiply-add, which rounds once less.
-HWY_INLINE hn::Mask<Doubles> near_exactly(const Line& line, double distance, DoubleVector x, DoubleVector y) {
-    const Doubles d;
-    const auto along_normal =
-        hn::Add(hn::Mul(hn::Set(d, line.normal.x()), x), hn::Mul(hn::Set(d, line.normal.y()), y));
-    return hn::Lt(hn::Abs(hn::Sub(along_normal, hn::Set(d, line.offset))), hn::Set(d, distance));
-}
-
-std::size_t count_inliers(const double* x, const double* y, std::size_t count, const Line& line,
-                          double distance) {
-    const Doubles d;
-    std::size_t inliers = 0;
-    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-        const auto near = near_exactly(line, distance, hn::LoadU(d, x + i), hn::LoadU(d, y + i));
-        inliers += hn::CountTrue(d, hn::And(near, hn::FirstN(d, count - i)));
-    }
-    return inliers;
-}
-
-std::size_t take_inliers(const PointTable& points, std::size_t count, const Line& line, double distance,
-                         double* HWY_RESTRICT inlier_x, double* HWY_RESTRICT inlier_y) {
-    const Doubles d;
-    std::size_t taken = 0;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-        const auto x = hn::LoadU(d, points.x + i);
-        const auto y = hn::LoadU(d, points.y + i);
-        const auto near = near_exactly(line, distance, x, y);
-#if HWY_TARGET <= HWY_AVX3
-        const hn::Rebind<std::uint64_t, Doubles> places;
-        std::uint64_t* const grid = reinterpret_cast<std::uint64_t*>(points.grid);
-        const auto place = hn::LoadU(places, grid + i);
-        const auto inside = hn::FirstN(d, count - i);
-        const auto far = hn::AndNot(near, inside);
-        hn::CompressStore(x, hn::And(near, inside), d, inlier_x + taken);
-        taken += hn::CompressStore(y, hn::And(near, inside), d, inlier_y + taken);
-        hn::CompressStore(x, far, d, points.x + kept);
-        hn::CompressStore(y, far, d, points.y + kept);
-        kept += hn::CompressStore(place, hn::RebindMask(places, far), places, grid + kept);
-#else
-        std::uint8_t bits[8];  // as many as it may write; one has the lanes
-        hn::StoreMaskBits(d, near, bits);
-        std::size_t is_near = bits[0];
-        const std::size_t behind = std::min(i + hn::Lanes(d), count);
-        // To both places, but only one goes on: no branch that half of the points would take.
-        for (std::size_t j = i; j < behind; ++j, is_near >>= 1) {
-            points.x[kept] = inlier_x[taken] = points.x[j];
-            points.y[kept] = inlier_y[taken] = points.y[j];
-            points.grid[kept] = points.grid[j];
-            taken += is_near & 1;
-            kept += 1 - (is_near & 1);
-        }
-#endif
-    }
-    return taken;
-}
-
 }  // namespace goalmouth::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -242,22 +243,10 @@ HWY_AFTER_NAMESPACE();
 namespace goalmouth {
 
 HWY_EXPORT(bound_support);
-HWY_EXPORT(count_inliers);
-HWY_EXPORT(take_inliers);
 
 SupportBounds bound_support(const LineSamples& samples, std::int16_t near, const GridPoint* points,
                             std::size_t count, GridPoint* rounded, std::uint32_t* support) {
     return HWY_DYNAMIC_DISPATCH(bound_support)(samples, near, points, count, rounded, support);
-}
-
-std::size_t count_inliers(const double* x, const double* y, std::size_t count, const Line& line,
-                          double distance) {
-    return HWY_DYNAMIC_DISPATCH(count_inliers)(x, y, count, line, distance);
-}
-
-std::size_t take_inliers(const PointTable& points, std::size_t count, const Line& line, double distance,
-                         double* inlier_x, double* inlier_y) {
-    return HWY_DYNAMIC_DISPATCH(take_inliers)(points, count, line, distance, inlier_x, inlier_y);
 }
 
 }  // namespace goalmouth

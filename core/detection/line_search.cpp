@@ -1,9 +1,9 @@
 #include "core/detection/line_search.h"
 
-#include "core/random/index_pairs.h"
+#include "core/detection/line_inliers.h"
+#include "core/random/samples.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace goalmouth {
@@ -37,9 +37,6 @@ void LineSearch::load(std::span<const Eigen::Vector2d> points) {
         for (auto* column : {&x_, &y_, &consensus_x_, &consensus_y_}) column->resize(room);
         on_grid_.resize(room);
         rounded_.resize(room);
-        order_.resize(room);
-        in_order_.resize(room);
-        std::iota(in_order_.begin(), in_order_.end(), 0U);
     }
     const Box box = split_points(points, x_.data(), y_.data());
     grid_ = grid_for(box, parameters_.inlier_distance);
@@ -48,43 +45,23 @@ void LineSearch::load(std::span<const Eigen::Vector2d> points) {
 
 /// Of hypotheses with equal support the first, as everywhere in Algorithm 2.
 LineSearch::Best LineSearch::best_hypothesis(Random& random) {
-    std::copy_n(in_order_.begin(), count_, order_.begin());
     const auto attempts = static_cast<std::size_t>(parameters_.attempts);
+    const std::uint64_t key = random.bits();
     Best best;
     std::size_t drawn = 0;
-    for (std::size_t needed = attempts; drawn < needed;) {
-        draw(std::min(LineSamples::most, attempts - drawn), random);
+    for (std::size_t needed = attempts; drawn < needed; drawn += samples_.count) {
+        draw(key, drawn, std::min(LineSamples::most, needed - drawn));
         needed = search_samples(drawn, needed, best);
-        drawn += samples_.count;
-    }
-    const auto points = static_cast<std::uint32_t>(count_);
-    for (; drawn < attempts; ++drawn) {
-        random.index(points);
-        random.index(points - 1);
     }
     return best;
 }
 
-void LineSearch::draw(std::size_t count, Random& random) {
-    draw_index_pairs(random, static_cast<std::uint32_t>(count_), count, indices_.data());
-    std::uint32_t* const order = order_.data();
-    std::uint32_t first = order[0];
+void LineSearch::draw(std::uint64_t key, std::size_t from, std::size_t count) {
+    draw_pairs(key, from, static_cast<std::uint32_t>(count_), count, chosen_.data());
     for (std::size_t i = 0; i < count; ++i) {
-        // std::swap(order[0], order[index(n)]), std::swap(order[1], order[1 + index(n - 1)]), with order[0]
-        // kept at hand and its place left as it is.
-        const std::uint64_t a = indices_[2 * i];
-        const std::uint32_t there = order[a];
-        order[a] = first;
-        if (a != 0) first = there;
-        std::uint32_t& b = order[1 + indices_[2 * i + 1]];
-        const std::uint32_t second = b;
-        b = order[1];
-        order[1] = second;
-        chosen_[i] = first | (std::uint64_t{second} << 32);
-        samples_.first[i] = on_grid_[first];
-        samples_.second[i] = on_grid_[second];
+        samples_.first[i] = on_grid_[chosen_[i] & 0xFFFFFFFFU];
+        samples_.second[i] = on_grid_[chosen_[i] >> 32];
     }
-    order[0] = first;
     samples_.count = count;
 }
 

@@ -3,6 +3,7 @@
 #include "core/detection/edge_lines.h"
 #include "core/detection/line_scoring.h"
 #include "core/detection/ransac_parameters.h"
+#include "core/geometry/line.h"
 #include "core/random/random.h"
 
 #include <array>
@@ -16,7 +17,7 @@
 
 namespace goalmouth {
 
-/// Algorithm 2 of the paper for lines, fast: the same consensus sets, lines and draws, bit for bit, as
+/// Algorithm 2 of the paper for lines, fast: the same samples, consensus sets and lines, bit for bit, as
 /// find_primitives() gives, which says what they are (primitive_ransac.h).
 ///
 ///   * The hypotheses lie one in each vector lane: a load of a point serves many, and counts need no sums
@@ -24,7 +25,8 @@ namespace goalmouth {
 ///   * They are counted in whole numbers of 16 bits with a distance larger by all that rounding can do, which
 ///     bounds the support from above. Only a hypothesis whose bound beats the best one's support is counted
 ///     again in double precision as Line::distance() does it; mostly that is one of all.
-///   * Once all points agree, the other hypotheses are drawn but not measured.
+///   * Samples, which depend on their number alone, are drawn many at once. Once all points agree, no more
+///   are.
 class LineSearch {
   public:
     explicit LineSearch(const RansacParameters& parameters) : parameters_(parameters) {}
@@ -41,7 +43,7 @@ class LineSearch {
 
     void load(std::span<const Eigen::Vector2d> points);
     Best best_hypothesis(Random& random);
-    void draw(std::size_t count, Random& random);
+    void draw(std::uint64_t key, std::size_t from, std::size_t count);
     std::size_t search_samples(std::size_t drawn, std::size_t needed, Best& best);
     bool try_sample(std::size_t i, std::size_t drawn, Best& best) const;
     void take(const Line& line);
@@ -54,11 +56,9 @@ class LineSearch {
     std::vector<double> x_, y_;
     std::vector<GridPoint> on_grid_, rounded_;
     Grid grid_;
-    std::vector<std::uint32_t> order_, in_order_;
     // The attempts in work:
     LineSamples samples_;
-    std::array<std::uint64_t, 2 * LineSamples::most + 8> indices_{};
-    std::array<std::uint64_t, LineSamples::most> chosen_{};  // the samples' points: first + 2^32 · second
+    std::array<std::uint64_t, LineSamples::most + 8> chosen_{};  // the samples' points: first + 2^32 · second
     std::array<std::uint32_t, LineSamples::most> support_{};
 };
 

@@ -2,12 +2,12 @@
 
 #include "core/detection/ransac_parameters.h"
 #include "core/random/random.h"
+#include "core/random/samples.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -36,31 +36,27 @@ struct Consensus {
 /// Errors in the text, mended by their evident intent:
 ///   * the loop ends when |L| = M_max models are found (the text compares |P_best|);
 ///   * a model is accepted when |P_best| ≥ n (the text tests |P_inliers|, the last hypothesis's set).
-/// And where the text is silent: the sample's points are different ones of the set; a degenerate sample uses
-/// up its attempt; of consensus sets of equal size the first stays; where not one attempt found any inlier
-/// (all points equal), the search ends, because P would never shrink; a consensus set without a least-squares
-/// fit is removed like one that is too small.
+/// And where the text is silent: the sample's points are different ones of the set, for each model those of a
+/// key drawn from `random` (core/random/samples.h); a degenerate sample uses up its attempt; of consensus
+/// sets of equal size the first stays; where not one attempt found any inlier (all points equal), the search
+/// ends, because P would never shrink; a consensus set without a least-squares fit is removed like one that
+/// is too small.
 template <class Primitive>
 std::vector<Consensus<Primitive>> find_primitives(std::vector<Eigen::Vector2d> points,
                                                   const RansacParameters& parameters, Random& random) {
     constexpr std::size_t sample_size = Primitive::sample_size;
     const auto minimum = std::max(static_cast<std::size_t>(parameters.minimum_points), sample_size);
     std::vector<Consensus<Primitive>> found;  // L
-    std::vector<std::size_t> order;
     while (points.size() >= minimum && found.size() < static_cast<std::size_t>(parameters.maximum_models)) {
         std::vector<char> best(points.size(), 0);  // P_best as a mask over P
         std::size_t best_count = 0;
         auto needed = static_cast<std::size_t>(parameters.attempts);
-        order.resize(points.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        for (int attempt = 0; attempt < parameters.attempts; ++attempt) {
+        const std::uint64_t key = random.bits();
+        const auto size = static_cast<std::uint32_t>(points.size());
+        for (std::size_t attempt = 0; attempt < needed; ++attempt) {
+            const auto indices = draw_sample<sample_size>(key, attempt, size);
             std::array<Eigen::Vector2d, sample_size> sample;
-            for (std::size_t i = 0; i < sample_size; ++i) {
-                const auto left = static_cast<std::uint32_t>(points.size() - i);
-                std::swap(order[i], order[i + random.index(left)]);
-                sample[i] = points[order[i]];
-            }
-            if (static_cast<std::size_t>(attempt) >= needed) continue;
+            for (std::size_t i = 0; i < sample_size; ++i) sample[i] = points[indices[i]];
             const auto hypothesis = Primitive::through(sample);
             if (!hypothesis) continue;
             std::vector<char> inliers(points.size(), 0);

@@ -30,8 +30,7 @@ void describe_parameters(Visitor& v, RansacParameters& p) {
 }
 
 /// Hypotheses, of `attempts`, after which one that was drawn from inliers alone is among them with the
-/// probability `confidence`, when `inliers` of `points` agree (Fischler and Bolles, 1981). Only how many are
-/// measured depends on it: all are drawn, so that what follows draws the same numbers.
+/// probability `confidence`, when `inliers` of `points` agree (Fischler and Bolles, 1981).
 std::size_t attempts_needed(const RansacParameters& parameters, std::size_t inliers, std::size_t points,
                             std::size_t sample_size);
 

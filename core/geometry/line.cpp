@@ -1,7 +1,6 @@
 #include "core/geometry/line.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -33,56 +32,125 @@ std::optional<Line> line_through(const Eigen::Vector2d& a, const Eigen::Vector2d
 
 namespace {
 
+// Sums and extremes are taken over four points at once, so that one need not wait for the one before it.
+using Four = Eigen::Array4d;
+
+struct FourPoints {
+    Four x, y;
+};
+
+FourPoints four_points(const PointColumns& points, std::size_t i) {
+    return {Eigen::Map<const Four>(points.x.data() + i), Eigen::Map<const Four>(points.y.data() + i)};
+}
+
+FourPoints four_points(std::span<const Eigen::Vector2d> points, std::size_t i) {
+    const Eigen::Vector2d* const p = points.data() + i;
+    return {{p[0].x(), p[1].x(), p[2].x(), p[3].x()}, {p[0].y(), p[1].y(), p[2].y(), p[3].y()}};
+}
+
+double sum_of(const Four& four) {
+    return (four[0] + four[1]) + (four[2] + four[3]);
+}
+
+template <class Points>
+Eigen::Vector2d mean_of(const Points& points) {
+    Four x = Four::Zero();
+    Four y = Four::Zero();
+    std::size_t i = 0;
+    for (; i + 4 <= points.size(); i += 4) {
+        const FourPoints p = four_points(points, i);
+        x += p.x;
+        y += p.y;
+    }
+    Eigen::Vector2d rest = Eigen::Vector2d::Zero();
+    for (; i < points.size(); ++i) rest += points[i];
+    return (rest + Eigen::Vector2d(sum_of(x), sum_of(y))) / static_cast<double>(points.size());
+}
+
+struct Scatter {
+    double xx, xy, yy;
+};
+
+template <class Points>
+Scatter scatter_about(const Eigen::Vector2d& mean, const Points& points) {
+    Four xx = Four::Zero();
+    Four xy = Four::Zero();
+    Four yy = Four::Zero();
+    std::size_t i = 0;
+    for (; i + 4 <= points.size(); i += 4) {
+        const FourPoints p = four_points(points, i);
+        const Four x = p.x - mean.x();
+        const Four y = p.y - mean.y();
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+    }
+    Scatter scatter{sum_of(xx), sum_of(xy), sum_of(yy)};
+    for (; i < points.size(); ++i) {
+        const Eigen::Vector2d q = points[i] - mean;
+        scatter.xx += q.x() * q.x();
+        scatter.xy += q.x() * q.y();
+        scatter.yy += q.y() * q.y();
+    }
+    return scatter;
+}
+
 template <class Points>
 std::optional<Line> fit(const Points& points) {
     if (points.size() < 2) return std::nullopt;
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-    for (std::size_t i = 0; i < points.size(); ++i) mean += points[i];
-    mean /= static_cast<double>(points.size());
-
-    double xx = 0.0;
-    double xy = 0.0;
-    double yy = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Eigen::Vector2d q = points[i] - mean;
-        xx += q.x() * q.x();
-        xy += q.x() * q.y();
-        yy += q.y() * q.y();
-    }
+    const Eigen::Vector2d mean = mean_of(points);
+    const Scatter scatter = scatter_about(mean, points);
     // The scatter's axes differ by the hypotenuse, mostly by far more than the rounding of the coordinates'
     // squares, which is about 1e-16 of them.
     const double rounding = 1e-13 * (mean.squaredNorm() + 1.0) * static_cast<double>(points.size());
-    const double spread = std::max(std::abs(xx - yy), std::abs(2.0 * xy));
-    if (!(spread > 2.0 * rounding) && std::hypot(xx - yy, 2.0 * xy) <= rounding) return std::nullopt;
+    const double difference = scatter.xx - scatter.yy;
+    const double twice = 2.0 * scatter.xy;
+    const double hypotenuse = std::hypot(difference, twice);
+    if (!(hypotenuse > rounding)) return std::nullopt;
 
-    // Direction of the larger eigenvector of the scatter matrix.
-    const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
-    return line_with_normal({-std::sin(angle), std::cos(angle)}, mean);
+    // The larger eigenvector of the scatter matrix is at half the angle of (difference, twice): of the two
+    // ways to write that, the one that subtracts nothing.
+    if (difference > 0.0) return line_with_normal({-twice, hypotenuse + difference}, mean);
+    return line_with_normal({difference - hypotenuse, twice}, mean);
+}
+
+template <class Points>
+double rms(const Line& line, const Points& points) {
+    assert(points.size() > 0);
+    Four four = Four::Zero();
+    std::size_t i = 0;
+    for (; i + 4 <= points.size(); i += 4) {
+        const FourPoints p = four_points(points, i);
+        four += (line.normal.x() * p.x + line.normal.y() * p.y - line.offset).square();
+    }
+    double squares = sum_of(four);
+    for (; i < points.size(); ++i) {
+        const double distance = line.signed_distance(points[i]);
+        squares += distance * distance;
+    }
+    return std::sqrt(squares / static_cast<double>(points.size()));
 }
 
 template <class Points>
 LineSegment segment(const Line& line, const Points& points) {
     assert(points.size() > 0);
     const Eigen::Vector2d along = line.direction();
-    // Four at once, so that a point need not wait for the one before it.
-    std::array<double, 4> firsts;
-    firsts.fill(along.dot(points[0]));
-    std::array<double, 4> lasts = firsts;
+    Four firsts = Four::Constant(along.dot(points[0]));
+    Four lasts = firsts;
     std::size_t i = 0;
-    for (; i + firsts.size() <= points.size(); i += firsts.size()) {
-        for (std::size_t j = 0; j < firsts.size(); ++j) {
-            const double s = along.dot(points[i + j]);
-            firsts[j] = std::min(firsts[j], s);
-            lasts[j] = std::max(lasts[j], s);
-        }
+    for (; i + 4 <= points.size(); i += 4) {
+        const FourPoints p = four_points(points, i);
+        const Four s = along.x() * p.x + along.y() * p.y;
+        firsts = firsts.min(s);
+        lasts = lasts.max(s);
     }
+    double first = firsts.minCoeff();
+    double last = lasts.maxCoeff();
     for (; i < points.size(); ++i) {
         const double s = along.dot(points[i]);
-        firsts[0] = std::min(firsts[0], s);
-        lasts[0] = std::max(lasts[0], s);
+        first = std::min(first, s);
+        last = std::max(last, s);
     }
-    const double first = *std::min_element(firsts.begin(), firsts.end());
-    const double last = *std::max_element(lasts.begin(), lasts.end());
     const Eigen::Vector2d a = line.offset * line.normal + first * along;
     const Eigen::Vector2d b = line.offset * line.normal + last * along;
     // direction() runs down the image except for a horizontal line, where it runs to −x.
@@ -98,6 +166,14 @@ std::optional<Line> fit_line(std::span<const Eigen::Vector2d> points) {
 
 std::optional<Line> fit_line(const PointColumns& points) {
     return fit(points);
+}
+
+double rms_distance(const Line& line, std::span<const Eigen::Vector2d> points) {
+    return rms(line, points);
+}
+
+double rms_distance(const Line& line, const PointColumns& points) {
+    return rms(line, points);
 }
 
 double acute_angle(const Line& a, const Line& b) {

@@ -54,6 +54,10 @@ struct PointColumns {
 std::optional<Line> fit_line(std::span<const Eigen::Vector2d> points);
 std::optional<Line> fit_line(const PointColumns& points);
 
+/// Root of the mean square of the points' distances from the line [px]. Requires a point.
+double rms_distance(const Line& line, std::span<const Eigen::Vector2d> points);
+double rms_distance(const Line& line, const PointColumns& points);
+
 /// Angle between two lines, 0 … π/2 [rad].
 double acute_angle(const Line& a, const Line& b);
 

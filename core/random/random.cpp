@@ -48,21 +48,6 @@ double Random::normal() {
     return radius * std::cos(angle);
 }
 
-void Random::skip(std::size_t draws, std::uint64_t* first, std::uint64_t* last) {
-    auto [a, b, c, d] = state_;  // copies stay in registers
-#pragma GCC unroll 4
-    for (std::size_t i = 0; i < draws; ++i) {
-        first[i] = a;
-        last[i] = d;
-        step(a, b, c, d);
-    }
-    std::uint64_t* const state = state_;
-    state[0] = a;
-    state[1] = b;
-    state[2] = c;
-    state[3] = d;
-}
-
 Random random_for_frame(std::uint64_t graph_seed, std::string_view module, std::int64_t frame_seq) {
     std::uint64_t seed = graph_seed;
     std::uint64_t mixed = spread(seed) ^ hash(module);

@@ -22,8 +22,6 @@ class Random {
     std::uint32_t index(std::uint32_t count);
     /// Normal with mean 0 and standard deviation 1.
     double normal();
-    /// Goes on by `draws` of bits() without finishing them: each is rotl(first + last, 23) + first.
-    void skip(std::size_t draws, std::uint64_t* first, std::uint64_t* last);
 
   private:
     static void step(std::uint64_t& a, std::uint64_t& b, std::uint64_t& c, std::uint64_t& d);

@@ -1,5 +1,6 @@
 #include "core/detection/line_search.h"
 
+#include "core/detection/line_inliers.h"
 #include "core/detection/line_scoring.h"
 #include "tests/reference/literal_ransac.h"
 #include "tests/support/vector_targets.h"
@@ -215,6 +216,49 @@ TEST(LineScoring, CountsMorePointsThanSixteenBits) {
         for (int i = 0; i < 70000; ++i)
             points.emplace_back(random.uniform(0, 1600), 300.0 + 0.1 * random.normal());
         expect_bounds(points, 5.0, random);
+    });
+}
+
+TEST(LineScoring, BoundsASampleAloneAsAmongOthers) {
+    // Few samples are counted in another way than many.
+    test::on_each_vector_target([] {
+        for (std::uint64_t seed = 0; seed < 100; ++seed) {
+            Random random(seed);
+            const std::uint32_t count = 1 + random.index(100);
+            Points points;
+            for (std::uint32_t i = 0; i < count; ++i)
+                points.emplace_back(random.uniform(0, 300), random.uniform(0, 200));
+            Table table(points);
+            const Grid grid = grid_for(table.box, 5.0);
+            if (grid.scale == 0.0) continue;
+            place_on_grid(grid, table.x.data(), table.y.data(), count, table.on_grid.data());
+            std::vector<GridPoint> rounded(table.x.size());
+            const auto bound = [&](const LineSamples& samples) {
+                std::array<std::uint32_t, LineSamples::most> support;
+                bound_support(samples, grid.near, table.on_grid.data(), count, rounded.data(),
+                              support.data());
+                return support;
+            };
+            LineSamples all;
+            all.count = LineSamples::most;
+            for (std::size_t i = 0; i < all.count; ++i) {
+                all.first[i] = table.on_grid[random.index(count)];
+                all.second[i] = table.on_grid[random.index(count)];
+            }
+            const auto expected = bound(all);
+            for (std::size_t i = 0; i < all.count; ++i) {
+                LineSamples alone;
+                alone.count = 1;
+                alone.first[0] = all.first[i];
+                alone.second[0] = all.second[i];
+                ASSERT_EQ(bound(alone)[0], expected[i]) << "sample " << i << " of seed " << seed;
+            }
+            for (all.count = 1; all.count < LineSamples::most; ++all.count) {
+                const auto found = bound(all);
+                for (std::size_t i = 0; i < all.count; ++i)
+                    ASSERT_EQ(found[i], expected[i]) << "sample " << i << " of " << all.count;
+            }
+        }
     });
 }
 

@@ -89,6 +89,33 @@ TEST(Line, FitLeavesTheLeastSumOfSquares) {
     }
 }
 
+TEST(Line, FitFollowsEveryDirection) {
+    for (int degrees = 0; degrees < 180; ++degrees) {
+        const double angle = degrees * std::numbers::pi / 180.0;
+        const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
+        for (int count = 2; count < 12; ++count) {
+            Points points;
+            for (int i = 0; i < count; ++i) points.push_back(Eigen::Vector2d(30, 20) + (3.0 + i * i) * along);
+            const auto fit = fit_line(points);
+            ASSERT_TRUE(fit) << degrees;
+            EXPECT_NEAR(fit->normal.dot(along), 0.0, 1e-13) << degrees;
+            EXPECT_NEAR(fit->normal.norm(), 1.0, 1e-15) << degrees;
+            for (const auto& p : points) EXPECT_NEAR(fit->signed_distance(p), 0.0, 1e-11) << degrees;
+        }
+    }
+}
+
+TEST(Line, RmsDistanceIsTheRootOfTheMeanSquare) {
+    const auto line = line_through({0.0, 3.0}, {1.0, 3.0});
+    Points points;
+    double squares = 0.0;
+    for (int count = 1; count < 12; ++count) {
+        points.emplace_back(7.0 * count, 3.0 + count);
+        squares += count * count;
+        EXPECT_NEAR(rms_distance(*line, points), std::sqrt(squares / count), 1e-12);
+    }
+}
+
 TEST(Line, FitDoesNotDependOnTheOrderOfThePoints) {
     Points points{{1.0, 2.0}, {5.0, 9.0}, {3.0, 6.5}, {9.0, 17.0}, {-4.0, -8.0}};
     const auto first = fit_line(points);
@@ -147,6 +174,7 @@ TEST(PointColumns, GiveTheDigitsThatPointsGive) {
         if (!line) continue;
         ASSERT_EQ(line->normal, again->normal) << n;
         ASSERT_EQ(line->offset, again->offset) << n;
+        ASSERT_EQ(rms_distance(*line, points), rms_distance(*again, columns)) << n;
         const LineSegment segment = segment_on_line(*line, points);
         const LineSegment segment_again = segment_on_line(*again, columns);
         ASSERT_EQ(segment.upper, segment_again.upper) << n;
