@@ -117,6 +117,17 @@ class Bench {
         return options;
     }
 
+    /// Nothing where it was stopped.
+    std::optional<RefinementRow> measure_refinement(const FrameSet& frames) {
+        const std::vector<FoundPost> posts = found_posts(frames, table_, options_.seed);
+        RefinementOptions options;
+        options.repetitions = static_cast<std::size_t>(options_.repetitions);
+        options.stop = [this] { return interrupt_.requested(); };
+        Progress progress(refinement_steps(frames, posts, options), "turns of refinement");
+        options.step = [&progress] { progress.step(); };
+        return run_refinement(frames, posts, options);
+    }
+
     bool run_stages() {
         StagesResult& stages = result_.stages.emplace();
         if (fast_line_detector(FrameSet{}).empty())
@@ -138,7 +149,9 @@ class Bench {
                 measured = run_size(frames, table_, turns, options, stages.same_segments);
             }
             if (!measured) return false;
-            std::cout << size_text(*measured) << std::flush;
+            measured->refinement = measure_refinement(frames);
+            if (!measured->refinement) return false;
+            std::cout << size_text(*measured) << refinement_text(*measured) << std::flush;
             stages.sizes.push_back(std::move(*measured));
         }
         PointOptions points;

@@ -80,6 +80,24 @@ Json row_json(const SizeResult& size, const StageRow& row) {
     return json;
 }
 
+Json refinement_json(const SizeResult& size) {
+    const RefinementRow& row = *size.refinement;
+    Json json{{"size", size_name(size.size)},
+              {"posts", row.posts},
+              {"refined", row.refined},
+              {"compared", row.compared},
+              {"disagreement_sigmas", row.compared > 0 ? Json(row.disagreement) : Json(nullptr)}};
+    if (!row.measured()) return json;
+    Json ours = Json::object();
+    Json full = Json::object();
+    add_timing(ours, row.ours);
+    add_timing(full, row.full);
+    json["ratio"] = row.ratio();
+    json["ours"] = ours;
+    json["full"] = full;
+    return json;
+}
+
 Json growth_json(const StagesResult& stages) {
     Json by_spacing = Json::array();
     for (const SizeResult& size : stages.sizes) {
@@ -124,6 +142,9 @@ void add_stages(Json& json, const StagesResult& stages) {
                                   {"ours", ours},
                                   {"literal", literal}});
     }
+    json["refinement"] = Json::array();
+    for (const SizeResult& size : stages.sizes)
+        if (size.refinement) json["refinement"].push_back(refinement_json(size));
     json["growth"] = growth_json(stages);
 }
 

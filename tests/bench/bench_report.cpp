@@ -48,6 +48,18 @@ Table stage_table(const SizeResult& size) {
     return table;
 }
 
+Table refinement_table(const RefinementRow& row) {
+    Table table;
+    table.caption = "Times of one post [ms], one thread: " + refinement_words(row);
+    table.columns = {"", "median", "25 %", "75 %", "95 %", "least"};
+    for (const Timing* t : {&row.ours, &row.full}) {
+        const Mark mark = t == &row.ours ? Mark::strong : Mark::none;
+        table.rows.push_back({t->label, Cell(t->median, 3, mark), Cell(t->p25, 3), Cell(t->p75, 3),
+                              Cell(t->p95, 3), Cell(t->least, 3)});
+    }
+    return table;
+}
+
 Table point_table(const std::vector<PointRow>& points) {
     Table table;
     table.caption =
@@ -92,6 +104,7 @@ void add_stages(HtmlPage& page, const StagesResult& stages, const std::filesyste
         page.figure(draw_figure(contenders_figure(size), folder, "contenders-" + name),
                     "On a logarithmic scale.");
         page.table(stage_table(size));
+        if (size.refinement && size.refinement->measured()) page.table(refinement_table(*size.refinement));
         page.details("What each one is", [&](HtmlPage& inside) { inside.definitions(settings_of(size)); });
     }
     for (const std::string& words : stages.left_out) page.paragraph("Not among them: " + words + ".");

@@ -85,6 +85,7 @@ FrameSet render_frames(const FrameOptions& options) {
     const auto count = static_cast<std::size_t>(different_frames(options));
     set.frames.resize(count);
     set.posts.resize(count);
+    set.kinematics.resize(count);
     std::vector<std::unique_ptr<CellRenderer>> renderers(static_cast<std::size_t>(options.jobs));
     for_each_in_parallel(
         count, options.jobs,
@@ -95,6 +96,7 @@ FrameSet render_frames(const FrameOptions& options) {
             const int number = static_cast<int>(item);
             CellFrame frame = renderer->render(number % cell_count, number / cell_count);
             set.posts[item] = frame.outlines();
+            set.kinematics[item] = frame.kinematics;
             set.frames[item] = std::move(frame.image);
             if (options.step) options.step();
         },

@@ -3,6 +3,7 @@
 #include "core/evaluation/reference_post.h"
 #include "core/field/field.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/camera_pose.h"
 #include "core/imaging/image_file.h"
 #include "core/imaging/yuyv.h"
 
@@ -22,7 +23,8 @@ struct FrameSet {
     std::vector<YuyvImage> frames;
     std::size_t different = 0;                      // the first so many frames; frame i shows i mod different
     std::vector<std::vector<ReferencePost>> posts;  // true ones of the different frames; empty: not known
-    Intrinsics camera;                              // as detectors are told
+    std::vector<std::optional<CameraPose>> kinematics;  // likewise: what the robot would say
+    Intrinsics camera;                                  // as detectors are told
     Field field;
     std::string source;  // for people: "scene match, seed 1"
 

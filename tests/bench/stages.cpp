@@ -128,15 +128,18 @@ std::vector<Ratio> stage_ratios(const StagesResult& result) {
     const SizeResult& at = result.largest();
     const double segments = at.median(fmt::format("segments_{}", judged_spacing));
     const double posts = at.median(fmt::format("frame_to_posts_{}", judged_spacing));
-    const auto add = [&](const char* name, double ours, const char* other, double bar, double stretch) {
-        const StageRow& row = at.row(other);
-        Ratio ratio = time_ratio(name, ours, row.timing.label, row.timing.median, bar, stretch);
+    const auto keep = [&](Ratio ratio) {
         ratio.size = fmt::format("{}x{}", at.size.width, at.size.height);
-        ratio.spacing = judged_spacing;
         if (at.size != ImageSize{1600, 1200}) ratio.scope = "at " + ratio.size;
         if (at.frames < static_cast<std::size_t>(least_frames))
             ratio.scope += fmt::format("{}{}", ratio.scope.empty() ? "with " : ", ", not_cold_words());
         ratios.push_back(std::move(ratio));
+    };
+    const auto add = [&](const char* name, double ours, const char* other, double bar, double stretch) {
+        const StageRow& row = at.row(other);
+        Ratio ratio = time_ratio(name, ours, row.timing.label, row.timing.median, bar, stretch);
+        ratio.spacing = judged_spacing;
+        keep(std::move(ratio));
     };
     const std::string naive = fmt::format("naive_segments_{}", judged_spacing);
     add("scan + segments ÷ our naive version", segments, naive.c_str(), 0.33, 0.25);
@@ -150,6 +153,9 @@ std::vector<Ratio> stage_ratios(const StagesResult& result) {
     add("frame → posts ÷ HSV + inRange + findContours", posts, "hsv", 0.30, 0.20);
     add("frame → posts ÷ Canny + HoughLinesP", posts, "canny_hough", 0.12, 0.08);
     add("frame → posts ÷ LSD", posts, "lsd", 0.025, 0.015);
+    if (at.refinement) {
+        for (Ratio& ratio : refinement_ratios(*at.refinement)) keep(std::move(ratio));
+    }
     return ratios;
 }
 

@@ -5,6 +5,7 @@
 #include "tests/bench/frames.h"
 #include "tests/bench/point_sets.h"
 #include "tests/bench/ratio.h"
+#include "tests/bench/refinement_rows.h"
 #include "tests/bench/rounds.h"
 
 #include <cstddef>
@@ -40,6 +41,7 @@ struct SizeResult {
     std::size_t true_edges = 0;  // of posts in the different frames; 0: not known
     std::string source;
     std::vector<StageRow> rows;
+    std::optional<RefinementRow> refinement = {};  // where it was tried
 
     /// By the name in timing. Throws std::out_of_range.
     const StageRow& row(const std::string& name) const;
@@ -58,8 +60,8 @@ struct StagesResult {
     bool sound() const;
 };
 
-/// The rows of the acceptance table that are the stages', at the largest size. Of RANSAC the worst number of
-/// points up to largest_judged.
+/// The rows of the acceptance tables that are the stages', at the largest size. Of RANSAC the worst number of
+/// points up to largest_judged. Refinement's where it was tried.
 std::vector<Ratio> stage_ratios(const StagesResult& result);
 
 /// For people, of a run whose frames do not push each other out of the caches.

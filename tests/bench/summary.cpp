@@ -89,6 +89,18 @@ std::string size_text(const SizeResult& size) {
     return text;
 }
 
+std::string refinement_text(const SizeResult& size) {
+    if (!size.refinement) return {};
+    const RefinementRow& row = *size.refinement;
+    std::string text = fmt::format("  refinement of a post that RANSAC found, medians over posts [ms]: {}\n",
+                                   refinement_words(row));
+    if (!row.measured()) return text;
+    for (const Timing* t : {&row.ours, &row.full})
+        text += fmt::format("    {:<33} {:>9} {:>9} {:>9} {:>9}\n", t->label, digits(t->median),
+                            digits(t->least), digits(t->p25), digits(t->p75));
+    return text;
+}
+
 std::string left_out_text(const StagesResult& stages) {
     std::string text;
     for (const std::string& words : stages.left_out) text += "\nNot among them: " + words + "\n";

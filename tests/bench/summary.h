@@ -30,6 +30,8 @@ struct BenchResult {
 std::string head_text(const BenchResult& result);
 /// What everybody took at one size.
 std::string size_text(const SizeResult& size);
+/// What refining a post took there.
+std::string refinement_text(const SizeResult& size);
 /// Who could not take part.
 std::string left_out_text(const StagesResult& stages);
 /// RANSAC over points.

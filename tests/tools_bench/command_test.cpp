@@ -69,7 +69,7 @@ TEST(BenchCommand, MeasuresTheStagesAndWritesEveryRow) {
                 AllOf(HasSubstr("at 320x240"), HasSubstr("fewer than 120 frames: not cold")));
     EXPECT_THAT(ran.out, HasSubstr("Promised, and measured: 320x240, scan-lines every 8 px"));
 
-    ASSERT_EQ(result["ratios"].size(), 6U);
+    ASSERT_EQ(result["ratios"].size(), 8U);
     for (const json& ratio : result["ratios"]) {
         for (const char* key : {"name", "ours_ms", "other", "other_ms", "ratio", "bar", "stretch"})
             EXPECT_TRUE(ratio.contains(key)) << key;
@@ -92,6 +92,15 @@ TEST(BenchCommand, MeasuresTheStagesAndWritesEveryRow) {
          {"segments", "naive_segments", "frame_to_posts", "border", "candidates", "ransac"})
         for (const char* spacing : {"_4", "_8", "_16"})
             EXPECT_EQ(names.count(std::string(name) + spacing), 1U) << name << spacing;
+
+    ASSERT_EQ(result["refinement"].size(), 2U);
+    const json& refinement = result["refinement"][1];
+    EXPECT_EQ(refinement["size"], "320x240");
+    EXPECT_GT(refinement["posts"], 0);
+    EXPECT_GE(refinement["posts"], refinement["refined"]);
+    EXPECT_GE(refinement["refined"], refinement["compared"]);
+    EXPECT_GT(refinement["ours"]["median_ms"], 0.0);
+    EXPECT_GT(refinement["full"]["median_ms"], 0.0);
 
     std::vector<int> counts;
     for (const json& row : result["points"]) {

@@ -97,6 +97,31 @@ TEST(StageRatios, OfRansacIsTheWorstUpTo500Points) {
     EXPECT_THAT(ratio.other, HasSubstr("200 points"));
 }
 
+TEST(StageRatios, EndWithRefinementsWhereItWasTried) {
+    StagesResult result = stages_result();
+    RefinementRow& row = result.sizes[1].refinement.emplace();
+    row.posts = 40;
+    row.refined = 38;
+    row.ours = timing_of("ours", "", {0.25});
+    row.full = timing_of("full", "", {5.0});
+    const auto ratios = stage_ratios(result);
+    ASSERT_EQ(ratios.size(), 8U);
+    const Ratio& time = ratios[6];
+    EXPECT_EQ(time.name, "refinement, ms a post");
+    EXPECT_DOUBLE_EQ(time.ratio, 0.25);
+    EXPECT_DOUBLE_EQ(time.bar, 0.3);
+    EXPECT_TRUE(time.met());
+    EXPECT_THAT(time.note, HasSubstr("40 posts, 38 refined"));
+    const Ratio& share = ratios[7];
+    EXPECT_EQ(share.name, "refinement ÷ full least squares");
+    EXPECT_DOUBLE_EQ(share.ratio, 0.05);
+    EXPECT_DOUBLE_EQ(share.bar, 0.10);
+    EXPECT_EQ(share.size, "1600x1200");
+    row = {};
+    EXPECT_FALSE(stage_ratios(result)[6].met());
+    EXPECT_FALSE(stage_ratios(result)[7].measured);
+}
+
 TEST(StageRatios, AreNotGivenForAnInterruptedRun) {
     StagesResult result = stages_result();
     result.complete = false;
