@@ -4,6 +4,9 @@
 #include "tests/support/post_scene.h"
 #include "tools/evaluate/images_report.h"
 
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -132,6 +135,104 @@ TEST_F(Images, TakeACameraForEachSet) {
     EXPECT_THAT(error_of({"--camera", path("no.yaml")}), HasSubstr("no.yaml"));
 }
 
+TEST_F(Images, CompareEdgesWithOutlines) {
+    for (Json& image : annotations["images"]) {
+        image["posts"][0]["u_edge"] = 0.75;
+        image["posts"][0]["base_left"][0] = image["posts"][0]["base_left"][0].get<double>() - 2.0;
+        image["posts"][0]["top_left"][0] = image["posts"][0]["top_left"][0].get<double>() - 2.0;
+    }
+    write_annotations();
+    ASSERT_EQ(evaluate({}), 0);
+    const Json set = report()["sets"][0];
+    ASSERT_EQ(set["edges"].size(), 1U);
+    const Json& edges = set["edges"][0];
+    EXPECT_EQ(edges["of"], "all");
+    EXPECT_EQ(edges["posts"], 3);
+    EXPECT_NEAR(edges["left"]["mean_px"].get<double>(), 2.0, 0.6);
+    EXPECT_NEAR(edges["right"]["mean_px"].get<double>(), 0.0, 0.6);
+    EXPECT_NEAR(edges["width"]["rms_px"].get<double>(), 2.0, 1.2);
+    EXPECT_EQ(edges["annotation_sigma_px"], 0.75);
+    EXPECT_THAT(printed, HasSubstr("0.75"));
+    EXPECT_FALSE(set.contains("distances"));
+    EXPECT_EQ(report()["pictures"][1]["posts"][0]["edge_errors_px"]["left"].size(), 3U);
+}
+
+/// The drawn pictures under names that tell a place from which the far goal's left post stands where it is
+/// drawn: so far away as it is wide.
+class PlacedImages : public Images {
+  protected:
+    PlacedImages() {
+        field = write("field.yaml", "{post_diameter: 0.1}");
+        for (std::size_t i = 0; i < 3; ++i) {
+            Json& image = annotations["images"][i];
+            const double left = image["posts"][0]["base_left"][0].get<double>();
+            const double right = image["posts"][0]["base_right"][0].get<double>();
+            const double distance = 0.1 * camera.fx / (right - left);
+            // The same bearing, up to the rounding in the name.
+            const double bearing = std::atan((camera.cx - 0.5 * (left + right)) / camera.fx);
+            const int heading = static_cast<int>(std::lround(-bearing * 180.0 / std::numbers::pi));
+            const std::string name = fmt::format("{}_{:.2f}_75_{}.png", i, 300.0 - 100.0 * distance, heading);
+            std::filesystem::rename(path(image["file"]), path(name));
+            image["file"] = name;
+        }
+        std::filesystem::rename(path("none.png"), path("3_0_0_0.png"));
+        annotations["negatives"][0]["file"] = "3_0_0_0.png";
+        write_annotations();
+    }
+    int evaluate_placed(std::vector<std::string> more) {
+        more.insert(more.end(), {"--poses", poses, "--field", field});
+        return evaluate(more);
+    }
+
+    // What a graph takes for 320 px where nothing else is said.
+    Intrinsics camera = scaled_to(Intrinsics{}, 320, 240);
+    std::string field;
+    std::string poses = "drawn={}_{x_cm}_{y_cm}_{heading_deg}";
+};
+
+TEST_F(PlacedImages, CompareDistancesWithTheRobotsPlace) {
+    ASSERT_EQ(evaluate_placed({}), 0);
+    const Json set = report()["sets"][0];
+    EXPECT_EQ(set["placement"]["posts"], 3);
+    EXPECT_EQ(set["placement"]["unplaced"], 0);
+    EXPECT_LT(set["placement"]["direction_rms_deg"].get<double>(), 0.6);
+    ASSERT_EQ(set["distances"].size(), 1U);
+    const Json& distances = set["distances"][0];
+    EXPECT_EQ(distances["posts"], 3);
+    EXPECT_LT(distances["relative_rms"].get<double>(), 0.06);
+    EXPECT_EQ(distances["by_distance"].size(), 3U);
+    EXPECT_EQ(report()["pictures"][0]["posts"][0]["goalpost"], 2);
+    EXPECT_THAT(printed, HasSubstr("Distances, drawn"));
+
+    // A post twice as thick is twice as far.
+    field = write("thick.yaml", "{post_diameter: 0.2}");
+    ASSERT_EQ(evaluate_placed({}), 0);
+    const Json thick = report()["sets"][0]["distances"][0];
+    EXPECT_NEAR(thick["relative_rms"].get<double>(), 1.0, 0.1);
+    EXPECT_GT(thick["bias_m"].get<double>(), 0.5);
+}
+
+TEST_F(PlacedImages, ReportShowsDistancesAndTheWorst) {
+    ASSERT_EQ(evaluate_placed({"--report", path("report")}), 0);
+    const std::string page = text("report/index.html");
+    EXPECT_THAT(page, HasSubstr("What limits this comparison"));
+    EXPECT_THAT(page, HasSubstr("drawn, ransac, all: the worst 3 of 3"));
+    EXPECT_TRUE(std::filesystem::exists(path("report/distances0.svg")));
+    EXPECT_TRUE(std::filesystem::exists(path("report/distances0_errors.svg")));
+}
+
+TEST_F(PlacedImages, MistakesInPatternsAreNamed) {
+    EXPECT_THAT(error_of({"--poses", "{x_cm}_{y_cm}_{heading_deg}"}), HasSubstr("SET=PATTERN"));
+    EXPECT_THAT(error_of({"--poses", "drawm={}_{x_cm}_{y_cm}_{heading_deg}"}),
+                HasSubstr("did you mean 'drawn'"));
+    EXPECT_THAT(error_of({"--poses", "drawn={}_{x_cm}_{y_cm}_{headin_deg}"}),
+                testing::AllOf(HasSubstr("--poses"), HasSubstr("heading_deg")));
+    EXPECT_THAT(error_of({"--poses", "drawn=a{}_{x_cm}_{y_cm}_{heading_deg}"}),
+                testing::AllOf(HasSubstr("0_"), HasSubstr("does not fit"), HasSubstr("aa_12.5")));
+    EXPECT_THAT(error_of({"--poses", poses, "--poses", poses}), HasSubstr("twice"));
+    EXPECT_THAT(error_of({"--field", path("no.yaml")}), HasSubstr("no.yaml"));
+}
+
 TEST_F(Images, ReportShowsFailuresAndEveryOverlay) {
     annotations["images"][0]["posts"] = Json::array();
     write_annotations();
@@ -139,6 +240,7 @@ TEST_F(Images, ReportShowsFailuresAndEveryOverlay) {
     const std::string page = text("report/index.html");
     EXPECT_THAT(page, HasSubstr("post0"));
     EXPECT_THAT(page, testing::Not(HasSubstr("post1 ·")));
+    EXPECT_THAT(page, HasSubstr("detected less outlined"));
     for (const char* name : {"post0", "post1", "post2", "none"}) {
         EXPECT_FALSE(cv::imread(path("report/overlays/drawn/ransac/" + std::string(name) + ".jpg")).empty())
             << name;

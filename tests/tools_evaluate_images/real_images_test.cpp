@@ -1,6 +1,7 @@
 #include "tests/support/data.h"
 #include "tools/evaluate/images_report.h"
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -15,6 +16,7 @@ ImageSetResult evaluated(const std::filesystem::path& data, const std::string& s
     ImagesResult result{"", "", {}, {}};
     result.options.folder = data;
     result.options.sets = {set};
+    result.options.detectors = {"ransac", "tuned"};
     result.options.jobs = 2;
     result.sets = evaluate_images(result.options);
     std::printf("%s", images_text(result).c_str());
@@ -45,6 +47,59 @@ TEST(RealImages, NaoUva2013) {
     EXPECT_EQ(set.score("ransac").negatives, 12);
     expect_at_least(set.score("ransac"), 0.88, 0.94);
     expect_at_least(set.score("tuned"), 0.94, 0.94);
+}
+
+const DistanceGroup* group_of(const std::vector<DistanceGroup>& groups, const std::string& detector,
+                              const std::string& of) {
+    for (const DistanceGroup& group : groups)
+        if (group.detector == detector && group.of == of) return &group;
+    return nullptr;
+}
+
+// A refined post's distance is right to what the robot's place and the post's diameter allow; refinement's
+// edges lie where a person's lie, to that person's σ of 1 px.
+TEST(RealImages, DistancesOfNaoUva2013) {
+    GOALMOUTH_NEEDS_DATA(data);
+    ImagesResult result{"", "", {}, {}};
+    result.options.folder = data;
+    result.options.sets = {"nao_uva_2013"};
+    result.options.detectors = {"ransac", "refined"};
+    result.options.poses = {
+        {"nao_uva_2013", "{}_{x_cm}_{y_cm}_{heading_deg}_{head_pitch_rad}_{head_yaw_rad}_{}"}};
+    result.options.jobs = 2;
+    result.sets = evaluate_images(result.options);
+    std::printf("%s", images_text(result).c_str());
+    const ImageSetResult& set = result.sets.at(0);
+
+    const PlacementSummary placed = placement_summary(set.of("ransac"));
+    EXPECT_EQ(placed.posts, 18U);
+    EXPECT_EQ(placed.unplaced, 0U);
+    EXPECT_LT(placed.direction_rms, placement_sigma);
+
+    const std::vector<DistanceGroup> groups_of_set = set.distances(result.options.detectors);
+    const DistanceGroup* ransac = group_of(groups_of_set, "ransac", "all");
+    const DistanceGroup* refined = group_of(groups_of_set, "refined", "refined");
+    const DistanceGroup* outlines = group_of(groups_of_set, "", "all");
+    ASSERT_TRUE(ransac && refined && outlines);
+    const auto of_ransac = distance_summary(ransac->samples);
+    const auto of_refined = distance_summary(refined->samples);
+    const auto of_outlines = distance_summary(outlines->samples);
+    ASSERT_TRUE(of_ransac && of_refined && of_outlines);
+    EXPECT_LT(of_ransac->relative_rms, 0.13);
+    EXPECT_GE(of_refined->posts, 6U);
+    EXPECT_LT(of_refined->relative_rms, 0.03);
+    EXPECT_LT(std::abs(of_refined->errors.bias), 0.08);
+    EXPECT_LT(of_refined->relative_rms, 0.5 * of_ransac->relative_rms);
+    EXPECT_LT(of_outlines->relative_rms, 0.05);
+
+    for (const MeasuredGroup& group : groups(set.measured("refined"))) {
+        if (group.name != "refined") continue;
+        const EdgeSummary edges = edge_summary(group.posts);
+        ASSERT_TRUE(edges.left && edges.right && edges.width && edges.annotation_sigma);
+        EXPECT_LT(edges.left->rmse, *edges.annotation_sigma);
+        EXPECT_LT(edges.right->rmse, *edges.annotation_sigma);
+        EXPECT_LT(edges.width->rmse, *edges.annotation_sigma);
+    }
 }
 
 }  // namespace

@@ -21,8 +21,10 @@ namespace {
 
 struct Given {
     ImagesOptions options;
-    std::string detectors = "ransac,tuned,histogram";
+    std::string detectors = "ransac,refined,tuned,histogram";
     std::vector<std::string> cameras;
+    std::vector<std::string> fields;
+    std::vector<std::string> poses;
     std::string json;
     std::filesystem::path report;
 };
@@ -35,18 +37,42 @@ std::string command_of(const Given& given) {
     line.option("--detectors", given.detectors).option("--colours", o.colours.string());
     if (o.colours.empty()) line.option("--folds", std::to_string(o.folds));
     for (const std::string& camera : given.cameras) line.option("--camera", camera);
+    for (const std::string& field : given.fields) line.option("--field", field);
+    for (const std::string& poses : given.poses) line.option("--poses", poses);
     return line.option("--json", given.json).option("--report", given.report.string()).text();
+}
+
+/// "SET=VALUE"; the set is "" where there is no "=".
+template <class Value>
+std::map<std::string, Value> by_set(const std::vector<std::string>& entries, const std::string& option) {
+    std::map<std::string, Value> all;
+    for (const std::string& entry : entries) {
+        const auto equals = entry.find('=');
+        const std::string set = equals == std::string::npos ? "" : entry.substr(0, equals);
+        const std::string value = equals == std::string::npos ? entry : entry.substr(equals + 1);
+        if (!all.emplace(set, value).second)
+            throw ConfigurationError(option + ": given twice for " +
+                                     (set.empty() ? "all sets" : "set \"" + set + "\""));
+    }
+    return all;
 }
 
 void take_lists(Given& given) {
     given.options.detectors = graph_list(given.detectors, "--detectors");
-    for (const std::string& camera : given.cameras) {
-        const auto equals = camera.find('=');
-        const std::string set = equals == std::string::npos ? "" : camera.substr(0, equals);
-        const std::string file = equals == std::string::npos ? camera : camera.substr(equals + 1);
-        if (!given.options.cameras.emplace(set, file).second)
-            throw ConfigurationError("--camera: given twice for " +
-                                     (set.empty() ? "all sets" : "set \"" + set + "\""));
+    given.options.cameras = by_set<std::filesystem::path>(given.cameras, "--camera");
+    given.options.fields = by_set<std::filesystem::path>(given.fields, "--field");
+    given.options.poses = by_set<std::string>(given.poses, "--poses");
+    for (const auto& [set, pattern] : given.options.poses) {
+        if (set.empty()) {
+            throw ConfigurationError("--poses: \"" + pattern +
+                                     "\" names no set; SET=PATTERN is needed, such as "
+                                     "lab={}_{x_cm}_{y_cm}_{heading_deg}");
+        }
+        try {
+            const PlacePattern valid(pattern);
+        } catch (const ConfigurationError& error) {
+            throw ConfigurationError(std::string("--poses: ") + error.what());
+        }
     }
     if (!given.options.colours.empty() && !std::filesystem::exists(given.options.colours))
         throw ConfigurationError("--colours: there is no file " + given.options.colours.string());
@@ -102,6 +128,17 @@ void add_evaluate_images(CLI::App& evaluate_verb, Action& action) {
     verb->add_option("--camera", given->cameras,
                      "FILE or SET=FILE, may be repeated: calibration; else config/cameras/SET.yaml where "
                      "there is one, else the graph's")
+        ->allow_extra_args(false);
+    verb->add_option(
+            "--field", given->fields,
+            "FILE or SET=FILE, may be repeated: field with the posts' diameter and the goals' places; "
+            "else config/fields/SET.yaml where there is one, else the graph's")
+        ->allow_extra_args(false);
+    verb->add_option(
+            "--poses", given->poses,
+            "SET=PATTERN, may be repeated: file names tell where the robot stood, such as "
+            "{}_{x_cm}_{y_cm}_{heading_deg}_{head_pitch_rad}_{head_yaw_rad}_{} (docs/evaluation.md); "
+            "distances are compared then")
         ->allow_extra_args(false);
     verb->add_option("--json", given->json, "write figures and every picture's posts there");
     verb->add_option("--report", given->report, "folder for a page with tables, figures and failures");

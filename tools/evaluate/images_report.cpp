@@ -3,6 +3,7 @@
 #include "core/imaging/conversion.h"
 #include "core/imaging/image_file.h"
 #include "tools/evaluate/graph_settings.h"
+#include "tools/evaluate/images_measures_report.h"
 #include "tools/evaluate/report/figure.h"
 #include "tools/evaluate/report/html_page.h"
 #include "tools/evaluate/report/report_folder.h"
@@ -195,6 +196,8 @@ void write_images_report(const ImagesResult& result, const fs::path& target) {
                      100.0 * hand_marked_rule.coverage),
          "Every other detection is wrong, but for those centred in a box that the annotations say to ignore.",
          colours_sentence(result.options), "goalmouth " + result.version});
+
+    add_measures(page, result, folder.path());
 
     const Overlays overlays(result, folder);
     page.section("Failures");

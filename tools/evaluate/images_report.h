@@ -25,7 +25,7 @@ struct ImagesResult {
 /// annotated post and of each detection.
 nlohmann::ordered_json images_json(const ImagesResult& result);
 
-/// For a terminal: one line for each set and detector.
+/// For a terminal: what was found, how far edges are off, and distances where places are known.
 std::string images_text(const ImagesResult& result);
 
 /// The picture with the annotated posts (found, missed) and the detections (right, wrong, ignored), each in a

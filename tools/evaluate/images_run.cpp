@@ -69,11 +69,47 @@ LabelledScene read_scene(const AnnotatedImage& annotated, const Annotations& ann
     }
 }
 
-fs::path camera_of(const ImagesOptions& options, const std::string& set) {
-    if (const auto found = options.cameras.find(set); found != options.cameras.end()) return found->second;
-    if (const auto found = options.cameras.find(""); found != options.cameras.end()) return found->second;
-    const fs::path own = config_folder() / "cameras" / (set + ".yaml");
+/// What is given for the set, else for all, else the set's own file in that folder of config/, else nothing.
+fs::path file_of(const std::map<std::string, fs::path>& given, const std::string& set,
+                 const std::string& folder) {
+    if (const auto found = given.find(set); found != given.end()) return found->second;
+    if (const auto found = given.find(""); found != given.end()) return found->second;
+    const fs::path own = config_folder() / folder / (set + ".yaml");
     return fs::exists(own) ? own : fs::path();
+}
+
+/// Where robots' places are known there must be goals.
+fs::path field_of(const ImagesOptions& options, const std::string& set) {
+    const fs::path file = file_of(options.fields, set, "fields");
+    if (!file.empty() || !options.poses.contains(set)) return file;
+    return config_folder() / "fields/kidsize_2013.yaml";
+}
+
+/// By picture; empty for a set of which none is known.
+std::vector<RobotPlace> places_of(const std::vector<AnnotatedImage>& pictures, const std::string& set,
+                                  const ImagesOptions& options) {
+    std::vector<RobotPlace> places;
+    const auto given = options.poses.find(set);
+    if (given == options.poses.end()) return places;
+    const PlacePattern pattern(given->second);
+    for (const AnnotatedImage& picture : pictures) {
+        const auto place = pattern.place(picture.name);
+        if (!place) {
+            throw ConfigurationError("--poses: " + picture.name + " does not fit the pattern \"" +
+                                     pattern.text() + "\" of set \"" + set +
+                                     "\"; a name that does: " + pattern.example());
+        }
+        places.push_back(*place);
+    }
+    return places;
+}
+
+void expect_files(const std::map<std::string, fs::path>& files, const Annotations& annotations,
+                  const std::string& option) {
+    for (const auto& [set, file] : files) {
+        if (!set.empty()) annotations.pictures(set);  // says so where there is no such set
+        if (!fs::exists(file)) throw ConfigurationError(option + ": there is no file " + file.string());
+    }
 }
 
 void learn_tables(const std::vector<LabelledScene>& scenes, const std::string& set,
@@ -93,8 +129,8 @@ void learn_tables(const std::vector<LabelledScene>& scenes, const std::string& s
 /// The chains of one thread, each made when it is needed first.
 class Chains {
   public:
-    Chains(const ImagesOptions& options, fs::path camera, const TemporaryFolder& tables)
-        : options_(options), camera_(std::move(camera)), tables_(tables) {}
+    Chains(const ImagesOptions& options, fs::path camera, fs::path field, const TemporaryFolder& tables)
+        : options_(options), camera_(std::move(camera)), field_(std::move(field)), tables_(tables) {}
 
     ImageChain& chain(const std::string& detector, std::size_t place) {
         const int fold = options_.colours.empty() ? static_cast<int>(place) % options_.folds : 0;
@@ -103,6 +139,7 @@ class Chains {
             ImageChainOptions chain_options;
             chain_options.graph = detector;
             chain_options.camera = camera_;
+            chain_options.field = field_;
             chain_options.colours =
                 options_.colours.empty() ? table_of_fold(tables_, fold) : options_.colours;
             chain = std::make_unique<ImageChain>(chain_options);
@@ -113,6 +150,7 @@ class Chains {
   private:
     const ImagesOptions& options_;
     fs::path camera_;
+    fs::path field_;
     const TemporaryFolder& tables_;
     std::map<std::pair<std::string, int>, std::unique_ptr<ImageChain>> chains_;
 };
@@ -120,14 +158,19 @@ class Chains {
 ImageSetResult evaluate_set(const std::string& set, const std::vector<AnnotatedImage>& annotated,
                             const Annotations& annotations, const ImagesOptions& options,
                             const ImagesProgress& progress) {
-    ImageSetResult result{set, camera_of(options, set), {}, true};
+    ImageSetResult result;
+    result.set = set;
+    result.camera = file_of(options.cameras, set, "cameras");
+    result.field = field_of(options, set);
+    const std::vector<RobotPlace> places = places_of(annotated, set, options);
+    if (!places.empty()) result.goals = load_parameters<Field>(result.field);
     std::vector<LabelledScene> scenes;
     for (const AnnotatedImage& image : annotated) scenes.push_back(read_scene(image, annotations));
     const TemporaryFolder tables;
     if (options.colours.empty()) learn_tables(scenes, set, options, tables);
 
     std::vector<Chains> workers;
-    for (int i = 0; i < options.jobs; ++i) workers.emplace_back(options, result.camera, tables);
+    for (int i = 0; i < options.jobs; ++i) workers.emplace_back(options, result.camera, result.field, tables);
     std::vector<std::vector<ScoredPicture>> by_place(annotated.size());
     for_each_in_parallel(
         annotated.size(), options.jobs,
@@ -137,6 +180,7 @@ ImageSetResult evaluate_set(const std::string& set, const std::vector<AnnotatedI
                 ImageResult found = workers[worker].chain(detector, place).run({.image = image});
                 by_place[place].push_back(
                     score_picture(annotated[place], detector, std::move(found), image.height));
+                if (result.goals) place_picture(by_place[place].back(), places[place], *result.goals);
             }
             if (progress.step) progress.step();
         },
@@ -163,13 +207,27 @@ ImageScore ImageSetResult::score(const std::string& detector) const {
     return sum;
 }
 
+std::vector<MeasuredPost> ImageSetResult::measured(const std::string& detector) const {
+    return measured_posts(of(detector));
+}
+
+std::vector<DistanceGroup> ImageSetResult::distances(const std::vector<std::string>& detectors) const {
+    std::vector<DistanceGroup> all;
+    if (!goals || detectors.empty()) return all;
+    all.push_back({"", "all", outline_samples(of(detectors.front()), goals->post_diameter)});
+    for (const std::string& detector : detectors)
+        for (const MeasuredGroup& group : groups(measured(detector)))
+            all.push_back({detector, group.name, distance_samples(group.posts)});
+    return all;
+}
+
 std::vector<ImageSetResult> evaluate_images(const ImagesOptions& options, const ImagesProgress& progress) {
     const Annotations annotations = read_annotations(options);
     const std::vector<std::string> sets = chosen_sets(options, annotations);
-    for (const auto& [set, camera] : options.cameras) {
-        if (!set.empty()) annotations.pictures(set);  // says so where there is no such set
-        if (!fs::exists(camera)) throw ConfigurationError("--camera: there is no file " + camera.string());
-    }
+    expect_files(options.cameras, annotations, "--camera");
+    expect_files(options.fields, annotations, "--field");
+    for (const auto& [set, pattern] : options.poses)
+        places_of(annotations.usable_pictures(set), set, options);
     std::vector<std::vector<AnnotatedImage>> pictures;
     std::size_t count = 0;
     for (const std::string& set : sets) {

@@ -1,35 +1,52 @@
 #pragma once
 
+#include "tools/evaluate/images_measures.h"
 #include "tools/evaluate/images_score.h"
 
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace goalmouth {
 
 struct ImagesOptions {
-    std::filesystem::path folder;                                        // the pictures' names count from it
-    std::filesystem::path annotations;                                   // "": annotations.json in the folder
-    std::vector<std::string> sets;                                       // empty: every one
-    std::vector<std::string> detectors{"ransac", "tuned", "histogram"};  // graphs
+    std::filesystem::path folder;       // the pictures' names count from it
+    std::filesystem::path annotations;  // "": annotations.json in the folder
+    std::vector<std::string> sets;      // empty: every one
+    std::vector<std::string> detectors{"ransac", "refined", "tuned", "histogram"};  // graphs
     std::filesystem::path colours;  // "": tables are learnt from the other folds of the same set
     int folds = 4;
     std::map<std::string, std::filesystem::path> cameras;  // by set; "" for all others
+    std::map<std::string, std::filesystem::path> fields;   // likewise
+    std::map<std::string, std::string> poses;  // by set: the pattern of its file names (PlacePattern)
     int jobs = 1;
+};
+
+/// Distances that belong together.
+struct DistanceGroup {
+    std::string detector;  // "": the outlines themselves
+    std::string of;        // MeasuredGroup::name
+    std::vector<DistanceSample> samples;
 };
 
 /// What was made of one set.
 struct ImageSetResult {
     std::string set;
     std::filesystem::path camera;         // "": each graph's own
+    std::filesystem::path field;          // "": each graph's own
+    std::optional<Field> goals;           // that field, where the robot's places are known
     std::vector<ScoredPicture> pictures;  // by name; each with every detector, in their order
     bool complete = true;
 
     std::vector<const ScoredPicture*> of(const std::string& detector) const;
     ImageScore score(const std::string& detector) const;
+    std::vector<MeasuredPost> measured(const std::string& detector) const;
+    /// Where the robot's places are known: what the outlines themselves would say, then each detector's
+    /// groups.
+    std::vector<DistanceGroup> distances(const std::vector<std::string>& detectors) const;
 };
 
 struct ImagesProgress {

@@ -47,7 +47,13 @@ ScoredPicture score_picture(const AnnotatedImage& annotated, const std::string& 
                             Eigen::Vector2d(box.x + box.width, box.y + box.height));
     }
     picture.matching = match_posts(picture.truth, picture.result.posts, rule, ignore);
+    picture.placed.resize(picture.truth.size());
     return picture;
+}
+
+void place_picture(ScoredPicture& picture, const RobotPlace& place, const Field& field) {
+    picture.place = place;
+    picture.placed = place_posts(picture.truth, picture.result.camera, place, field);
 }
 
 double ImageScore::recall() const {

@@ -2,12 +2,14 @@
 
 #include "core/evaluation/post_matching.h"
 #include "core/evaluation/reference_post.h"
+#include "tools/evaluate/images_truth.h"
 #include "tools/goalmouth/annotations.h"
 #include "tools/goalmouth/image_chain.h"
 
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,8 @@ struct ScoredPicture {
     std::vector<ReferencePost> truth;  // as annotated.posts
     ImageResult result;                // its posts are what is judged
     PostMatching matching;
+    std::optional<RobotPlace> place = {};                // where it is known
+    std::vector<std::optional<PlacedPost>> placed = {};  // as truth: which goalpost, where that is known
 
     int found() const { return static_cast<int>(matching.found_count(truth)); }
     int missed() const { return static_cast<int>(truth.size()) - found(); }
@@ -37,6 +41,9 @@ struct ScoredPicture {
 
 ScoredPicture score_picture(const AnnotatedImage& annotated, const std::string& detector, ImageResult result,
                             int height, const MatchingRule& rule = hand_marked_rule);
+
+/// Adds what is known of the true distances from the robot's place.
+void place_picture(ScoredPicture& picture, const RobotPlace& place, const Field& field);
 
 /// Sums over pictures.
 struct ImageScore {

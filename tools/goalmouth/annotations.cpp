@@ -32,8 +32,13 @@ AnnotatedImage annotated_image(const json& entry, const std::filesystem::path& f
     image.file = folder / image.name;
     image.width = entry.value("width", 0);
     image.height = entry.value("height", 0);
-    if (entry.contains("posts"))
-        for (const json& post : entry["posts"]) image.posts.push_back(outline(post));
+    if (entry.contains("posts")) {
+        for (const json& post : entry["posts"]) {
+            image.posts.push_back(outline(post));
+            image.edge_sigmas.emplace_back();
+            if (post.contains("u_edge")) image.edge_sigmas.back() = post["u_edge"].get<double>();
+        }
+    }
     if (entry.contains("ignore")) {
         for (const json& box : entry["ignore"]) {
             const cv::Point upper(box.at(0).get<int>(), box.at(1).get<int>());

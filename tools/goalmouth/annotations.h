@@ -18,6 +18,7 @@ struct AnnotatedImage {
     int width = 0;               // px; 0 where the annotations do not say
     int height = 0;
     std::vector<PostOutline> posts;
+    std::vector<std::optional<double>> edge_sigmas;  // px, beside `posts`: 1 σ of its sides' x, where stated
     std::vector<cv::Rect> ignore;
     bool excluded = false;  // neither positive nor negative: of no use here
 };
