@@ -171,11 +171,23 @@ void EdgeRowReader::read(YuyvView image, const Intrinsics& camera, const PostSil
             constexpr int least_pairs = 3;
             if (window.pairs < least_pairs || !(strength >= least)) continue;
             const Eigen::Vector3f w = weights * (gain / std::sqrt(strength));
+            const Eigen::Vector3f third = colour.shade.cross(backgrounds_[side][i]);
+            const Eigen::Vector3f square =
+                contrast * (third - third.dot(weights) / strength * backgrounds_[side][i]);
+            const Eigen::Vector3f stray = square * (gain / std::sqrt(std::max(third.dot(square), 1e-12F)));
             row.seen = true;
             row.pairs = window.pairs;
+            if (window.background_pairs > 0.0F)
+                for (int k = 0; k < 3; ++k)
+                    row.background[static_cast<std::size_t>(k)] =
+                        window.background[k] / window.background_pairs;
             row.first = 2.0F * static_cast<float>(window.first) + 0.5F;
-            for (int k = 0; k < window.pairs; ++k)
-                row.values[static_cast<std::size_t>(k)] = w.dot(window.colours[static_cast<std::size_t>(k)]);
+            for (int k = 0; k < window.pairs; ++k) {
+                const Eigen::Vector3f& e = window.colours[static_cast<std::size_t>(k)];
+                row.values[static_cast<std::size_t>(k)] = w.dot(e);
+                row.strays[static_cast<std::size_t>(k)] = stray.dot(e);
+                row.lumas[static_cast<std::size_t>(k)] = colour.mean[0] + e[0];
+            }
             row.other_edge = w.dot(backgrounds_[1 - side][i]);
             const float outer = gain * std::sqrt(strength);
             row.inner = {0.0F, 1.0F};

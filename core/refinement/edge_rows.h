@@ -38,10 +38,16 @@ struct EdgeRow {
     int pairs = 0;
     float first = 0.0F;  // px, middle of the first pair; the next ones come 2 px further each
     std::array<float, most_pairs> values{};
+    std::array<float, most_pairs> strays{};  // the same square to it: 0 with post and background alike
+    std::array<float, most_pairs> lumas{};
     RowRay ray;               // where the edge was when the row was read
     float other_edge = 0.0F;  // what lies beyond the other edge, on the same scale
 
     EdgeLevel inner, outer;  // levels inside and outside
+
+    std::array<float, 3> background{};  // what lies outside, less the post's colour
+
+    float edge = 0.0F;  // px, where it was supposed last
 
     // As measured last:
     OwnLevel own_inner, own_outer;
@@ -50,6 +56,11 @@ struct EdgeRow {
     float misfit = 0.0F;       // mean square of what the edge model leaves, for each degree of freedom
     float freedom = 0.0F;      // degrees of freedom of misfit
     float weight = 0.0F;       // 0…1, of the row in the fit
+    float stray = 0.0F;        // as misfit, of the strays
+    bool outvoted = false;     // EdgeConsensus: another place of the edge has more evidence
+    float dark = 0.0F;         // px inside the edge that are black, in all, or as good as
+    float clean = 1.0F;        // 0…1, how far its pixels are those of one step
+    float turn = 0.0F;         // px outwards for each rad of roll (SilhouetteStep)
 };
 
 /// How rows of a picture are gathered.
@@ -75,6 +86,8 @@ RowLayout layout_rows(int first_row, int last_row, int most_rows);
 /// = M·e hardly depend on a single row's noise; e: background less post. M is that of the mean of the post's
 /// noise and the background's on this side, which is what an edge's pixels have, texture included. A pair of
 /// pixels of colour z becomes w·(z − post) / √(eᵀMe): 0 with post, √(eᵀMe) with background, noise about 1.
+/// What is square both to w and to the shade direction, in the noise's metric, says whether there is only
+/// post and background: every mixture of the two has 0 there, and a third thing's colour has not.
 class EdgeRowReader {
   public:
     void read(YuyvView image, const Intrinsics& camera, const PostSilhouette& post, const PostColour& colour,

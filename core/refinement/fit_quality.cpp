@@ -11,12 +11,17 @@ double fit_quality(const SilhouetteFit& fit, const CoarseEdgeFinder::Edges& coar
     double quality = 1.0;
     for (std::size_t side = 0; side < 2; ++side) {
         if (!edges[side]) continue;
-        constexpr double usual_share = 0.6, least_share = 0.15, enough = 16.0, rival_harm = 0.8;
+        constexpr double usual_share = 0.5, least_share = 0.15, enough = 16.0, rival_harm = 0.8;
         const double agreeing = fit.scatter.agreeing[side];
         const double looked = std::max(1, fit.scatter.looked_at[side]);
         quality =
             std::min({quality, agreeing / (usual_share * looked), agreeing / enough,
                       agreeing / (least_share * std::max(1, rows)), 1.0 - rival_harm * coarse[side]->rival});
+        if (fit.consensus.disagree) {
+            // Odds of e² against the next best place are just enough.
+            constexpr double sure = 4.0;
+            quality = std::min(quality, (fit.consensus.evidence[side] - fit.consensus.rival[side]) / sure);
+        }
     }
     if (edges[0] && edges[1]) {
         // Twice as far off as least_quality's default lets pass: sigma of the distance a twentieth of it.

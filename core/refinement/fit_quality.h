@@ -12,6 +12,7 @@ namespace goalmouth {
 /// Rows    of either edge, how many agree of those in which the background differs, of a number that can be
 ///         trusted, and of all rows;
 /// Rival   how well crossings agree with another edge parallel to one of them (CoarseEdge::rival);
+/// Place   how much more evidence either edge's place has than the next best (EdgeConsensus);
 /// Width   the relative sigma of the distance.
 /// 0 where the fit has not converged. `rows`: in which edges were looked for.
 double fit_quality(const SilhouetteFit& fit, const CoarseEdgeFinder::Edges& coarse,

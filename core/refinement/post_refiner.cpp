@@ -115,6 +115,11 @@ const char* PostRefiner::refine_one(YuyvView image, const Intrinsics& camera, co
     constexpr double surest = 1e-6;  // rad; its square has to have an inverse
     prior.lean_sigma = std::max(surest, std::sqrt(start.ahead.dot(vertical.covariance * start.ahead)));
 
+    // While a picture's rows are read one by one the camera turns: half a rad/s are 0.02 over 30 ms.
+    constexpr double shutter_slant = 0.02;
+    prior.roll_sigma = std::hypot(
+        shutter_slant, std::sqrt(std::max(0.0, start.right.dot(vertical.covariance * start.right))));
+
     const PostExtent extent = find_extent(image, start, colour, camera, *outline);
     if (extent.last_edge_row - extent.first_edge_row + 1 < least_rows) return "too few rows of its colour";
     const RowLayout layout = layout_rows(extent.first_edge_row, extent.last_edge_row, parameters_.most_rows);

@@ -6,20 +6,20 @@
 namespace goalmouth {
 namespace {
 
-constexpr double tukey = 6.0;  // sigmas; 98 % efficient where nothing is wrong
-
-float middle_of(std::vector<float>& values) {
-    if (values.empty()) return 0.0F;
-    const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), half, values.end());
-    return *half;
-}
+constexpr double most_noise = 25.0;  // times the colours' own variance: blocks of a compressed picture
+constexpr double brightest_edge = -0.05,
+                 darkest_edge = 0.25;  // px of black, as light from anywhere shades a cylinder
+constexpr double tukey = 6.0;          // sigmas; 98 % efficient where nothing is wrong
 
 /// χ²/n of n degrees of freedom that a normal deviate of `sigmas` stands for (Wilson and Hilferty, 1931).
 double mean_square(double n, double sigmas) {
     const double t = 2.0 / (9.0 * n);
     const double root = std::max(0.05, 1.0 - t + sigmas * std::sqrt(t));
     return root * root * root;
+}
+
+double sigma_of(const EdgeRow& row) {
+    return std::sqrt(1.0 / static_cast<double>(row.information) + edge_roughness * edge_roughness);
 }
 
 float third_of(std::vector<float>& values) {
@@ -29,68 +29,160 @@ float third_of(std::vector<float>& values) {
     return *third;
 }
 
+/// Mean square of a row's strays for each degree of freedom, a level on either side left out.
+float stray_of(const EdgeRow& row, const StepProfile& profile, float outwards) {
+    float aa = 0.0F, ab = 0.0F, bb = 0.0F, ra = 0.0F, rb = 0.0F, rr = 0.0F;
+    const float start = outwards * (row.first - row.edge) - std::clamp(row.offset, -2.0F, 2.0F);
+    for (int i = 0; i < row.pairs; ++i) {
+        const float out = profile.at(start + 2.0F * outwards * static_cast<float>(i)).step;
+        const float in = 1.0F - out;
+        const float r = row.strays[static_cast<std::size_t>(i)];
+        aa += in * in, ab += in * out, bb += out * out, ra += r * in, rb += r * out, rr += r * r;
+    }
+    aa += 1e-3F, bb += 1e-3F;
+    const float det = aa * bb - ab * ab;
+    const float explained = (bb * ra * ra - 2.0F * ab * ra * rb + aa * rb * rb) / det;
+    return std::max(0.0F, rr - explained) / std::max(1.0F, static_cast<float>(row.pairs - 2));
+}
+
+/// How much light is missing just inside a row's edge of what its pixels farther in and outside let expect
+/// [px of black].
+float darkness_of(const EdgeRow& row, const StepProfile& profile, float outwards) {
+    constexpr float well_inside = 0.03F, well_outside = 0.97F;
+    float inner = 0.0F, inner_weight = 0.0F, outer = 0.0F, outer_weight = 0.0F;
+    const float start = outwards * (row.first - row.edge) - std::clamp(row.offset, -3.0F, 3.0F);
+    std::array<float, EdgeRow::most_pairs> share{};
+    float nearest = -100.0F;  // well inside
+    for (int i = 0; i < row.pairs; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const float x = start + 2.0F * outwards * static_cast<float>(i);
+        share[k] = profile.at(x).step;
+        if (share[k] < well_inside) {
+            inner += row.lumas[k], inner_weight += 1.0F;
+            nearest = std::max(nearest, x);
+        }
+        // The nearest of the background: farther out something else may lie.
+        if (share[k] > well_outside && x < 6.0F) outer += row.lumas[k], outer_weight += 1.0F;
+    }
+    if (!(inner_weight > 0.0F) || !(outer_weight > 0.0F)) return 0.0F;
+    inner /= inner_weight, outer /= outer_weight;
+    float missing = 0.0F;
+    for (int i = 0; i < row.pairs; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        if (share[k] < well_inside || share[k] > well_outside) continue;
+        missing += inner + share[k] * (outer - inner) - row.lumas[k];
+    }
+    constexpr float least_luma = 16.0F;
+    return 2.0F * missing / std::max(inner, least_luma);
+}
+
+/// Rows that can be judged.
+bool told(const EdgeRow& row) {
+    return row.seen && row.information > 0.0F;
+}
+
+double local_mean(const std::vector<EdgeRow>& rows, std::size_t i, float EdgeRow::*part) {
+    constexpr std::size_t reach = 2;
+    double sum = 0.0, count = 0.0;
+    for (std::size_t k = i - std::min(i, reach); k < std::min(rows.size(), i + reach + 1); ++k) {
+        if (!told(rows[k])) continue;
+        sum += static_cast<double>(rows[k].*part);
+        count += 1.0;
+    }
+    return sum / count;
+}
+
 }  // namespace
 
-void RowGate::weigh(std::array<std::vector<EdgeRow>, 2>& rows, std::array<double, 2>& noise, bool gate) {
+RowGate::Noise RowGate::noise_of(const std::array<std::vector<EdgeRow>, 2>& rows, float EdgeRow::*part) {
+    // A third of the rows tells the noise: fewer than that are never clean.
+    constexpr double cleanest = 0.3, third = -0.431;
+    Noise noise = {1.0, 1.0};
+    double least = most_noise;
     for (std::size_t side = 0; side < 2; ++side) {
         sorted_.clear();
         for (const EdgeRow& row : rows[side])
-            if (row.seen && row.information > 0.0F) sorted_.push_back(row.misfit);
-        // A third of the rows tells the noise: fewer than that are never clean. That the pixels are noisier
-        // than the colours' own noise says, by more than this, is the background's doing.
-        constexpr double cleanest = 0.3, noisiest = 2.5, third = -0.431;
+            if (told(row)) sorted_.push_back(row.*part);
         if (sorted_.empty()) continue;
-        double freedom = 0.0;
-        for (const EdgeRow& row : rows[side])
-            if (row.seen && row.information > 0.0F) freedom += static_cast<double>(row.freedom);
-        freedom_[side] = std::max(1.0, freedom / static_cast<double>(sorted_.size()));
-        noise[side] = std::clamp(static_cast<double>(third_of(sorted_)) / mean_square(freedom_[side], third),
-                                 cleanest, noisiest);
+        noise[side] =
+            std::max(cleanest, static_cast<double>(third_of(sorted_)) / mean_square(freedom_[side], third));
+        least = std::min(least, noise[side]);
     }
+    // Pixels worse than the colours' own noise by what both edges show are the camera's doing (compression,
+    // sharpening); by more, the background's.
+    constexpr double worse = 2.5;
+    for (double& n : noise) n = std::min(n, worse * std::max(1.0, least));
+    return noise;
+}
+
+void RowGate::weigh(std::array<std::vector<EdgeRow>, 2>& rows, std::array<double, 2>& noise,
+                    const StepProfile& profile, bool gate) {
+    for (std::size_t side = 0; side < 2; ++side) {
+        double freedom = 0.0, count = 0.0;
+        for (EdgeRow& row : rows[side]) {
+            if (!told(row)) continue;
+            freedom += static_cast<double>(row.freedom);
+            count += 1.0;
+            if (gate) row.dark = darkness_of(row, profile, side == 0 ? -1.0F : 1.0F);
+            if (gate) row.stray = stray_of(row, profile, side == 0 ? -1.0F : 1.0F);
+        }
+        if (count > 0.0) freedom_[side] = std::max(1.0, freedom / count);
+    }
+    noise = noise_of(rows, &EdgeRow::misfit);
+    Noise stray_noise = {1.0, 1.0};
+    if (gate) stray_noise = noise_of(rows, &EdgeRow::stray);
 
     sorted_.clear();
-    const double rough = edge_roughness * edge_roughness;
-    for (const auto& side_rows : rows) {
-        for (const EdgeRow& row : side_rows) {
-            if (!row.seen || !(row.information > 0.0F)) continue;
-            const double variance = 1.0 / static_cast<double>(row.information) + rough;
-            sorted_.push_back(
-                static_cast<float>(std::abs(static_cast<double>(row.offset)) / std::sqrt(variance)));
-        }
-    }
-    const double spread = std::max(1.0, 1.4826 * static_cast<double>(middle_of(sorted_)));
+    for (const auto& side_rows : rows)
+        for (const EdgeRow& row : side_rows)
+            if (told(row) && !row.outvoted)
+                sorted_.push_back(
+                    static_cast<float>(std::abs(static_cast<double>(row.offset)) / sigma_of(row)));
+    // A third here as well: of a scatter of two kinds it tells the narrower one.
+    constexpr double third_of_normal = 0.4307;
+    const double spread = std::max(1.0, static_cast<double>(third_of(sorted_)) / third_of_normal);
     for (std::size_t side = 0; side < 2; ++side) {
         std::vector<EdgeRow>& all = rows[side];
         const double own_usual = mean_square(freedom_[side], 2.0),
                      own_most = mean_square(freedom_[side], 4.5);
         const double local_usual = mean_square(5.0 * freedom_[side], 2.3),
                      local_most = mean_square(5.0 * freedom_[side], 5.0);
+        const auto unlike = [&](std::size_t i, float EdgeRow::*part, double usual) {
+            // What lies behind a post or before it does so in several rows, and where it begins and ends it
+            // disturbs less than can be seen in one row.
+            const double own = static_cast<double>(all[i].*part) / usual;
+            const double local = local_mean(all, i, part) / usual;
+            return std::max((local - local_usual) / (local_most - local_usual),
+                            (own - own_usual) / (own_most - own_usual));
+        };
+        // A post's shading is the same all along it, and loses no more than a few tenths of the last px's
+        // light.
+        double shading = 0.0;
+        if (gate) {
+            sorted_.clear();
+            for (const EdgeRow& row : all)
+                if (told(row)) sorted_.push_back(row.dark);
+            shading = std::clamp(static_cast<double>(third_of(sorted_)), brightest_edge, darkest_edge);
+        }
         for (std::size_t i = 0; i < all.size(); ++i) {
             EdgeRow& row = all[i];
             row.weight = 0.0F;
-            if (!row.seen || !(row.information > 0.0F)) continue;
-            const double variance = 1.0 / static_cast<double>(row.information) + rough;
-            const double miss = static_cast<double>(row.offset) / (std::sqrt(variance) * spread * tukey);
-            const double far = 1.0 - miss * miss;
-            if (far <= 0.0) continue;
-            double weight = far * far;
+            row.clean = 0.0F;
+            if (!told(row)) continue;
+            double clean = 1.0;
             if (gate) {
-                // What lies behind a post or before it does so in several rows, and where it begins and ends
-                // it disturbs less than can be seen in one row.
-                double sum = 0.0, count = 0.0;
-                for (std::size_t k = i < 2 ? 0 : i - 2; k < std::min(all.size(), i + 3); ++k) {
-                    if (!all[k].seen || !(all[k].information > 0.0F)) continue;
-                    sum += static_cast<double>(all[k].misfit);
-                    count += 1.0;
-                }
-                const double local = sum / (count * noise[side]);
-                const double own = static_cast<double>(row.misfit) / noise[side];
-                const double unlike = std::max({0.0, (local - local_usual) / (local_most - local_usual),
-                                                (own - own_usual) / (own_most - own_usual)});
-                const double clean = 1.0 - unlike * unlike;
-                weight *= clean <= 0.0 ? 0.0 : clean * clean;
+                constexpr double other = 0.2, quite_other = 0.45;  // px
+                const double apart = std::abs(local_mean(all, i, &EdgeRow::dark) - shading);
+                const double dark = (apart - other) / (quite_other - other);
+                const double worst = std::max({0.0, dark, unlike(i, &EdgeRow::misfit, noise[side]),
+                                               unlike(i, &EdgeRow::stray, stray_noise[side])});
+                clean = std::max(0.0, 1.0 - worst * worst);
             }
-            row.weight = static_cast<float>(weight);
+            row.clean = static_cast<float>(clean * clean);
+            if (row.outvoted) continue;
+            const double miss = static_cast<double>(row.offset) / (sigma_of(row) * spread * tukey);
+            const double near = std::max(0.0, 1.0 - miss * miss);
+            row.weight = static_cast<float>(near * near * clean * clean);
         }
     }
 }

@@ -22,6 +22,26 @@ double lean_from(const Eigen::Vector3d& up, const PostSilhouette& post) {
     return std::atan2(post.up.dot(post.right.cross(in_plane)), post.up.dot(in_plane));
 }
 
+/// The same about the line of sight, in the sense of `roll`.
+double roll_from(const Eigen::Vector3d& up, const PostSilhouette& post) {
+    const Eigen::Vector3d across = up - up.dot(post.ahead) * post.ahead;
+    return std::atan2(post.up.dot(post.ahead.cross(across)), post.up.dot(across));
+}
+
+/// Rows that share an error claim far more than they know: no post stands so that the measured vertical is
+/// off by more than this many of its sigmas.
+constexpr double steepest = 3.0;
+
+PostSilhouette upright(const PostSilhouette& post, const SilhouettePrior& prior) {
+    SilhouetteStep back = SilhouetteStep::Zero();
+    const double lean = lean_from(prior.up, post), roll = roll_from(prior.up, post);
+    back[silhouette_part::lean] =
+        std::clamp(lean, -steepest * prior.lean_sigma, steepest * prior.lean_sigma) - lean;
+    back[silhouette_part::roll] =
+        std::clamp(roll, -steepest * prior.roll_sigma, steepest * prior.roll_sigma) - roll;
+    return back.isZero() ? post : post.moved(back);
+}
+
 }  // namespace
 
 double SilhouetteFitter::other_edge(const SilhouetteFit& state, std::size_t side, std::size_t row,
@@ -37,6 +57,7 @@ void SilhouetteFitter::measure(const SilhouetteFit& state, BlurEvidence* blur) {
             EdgeRow& row = rows_[side][i];
             if (!row.seen) continue;
             const double here = crossing(row, side);
+            row.edge = static_cast<float>(here);
             measure_row(row, profile_, here, outwards(side), other_edge(state, side, i, here),
                         state.noise[side], blur);
         }
@@ -46,6 +67,44 @@ void SilhouetteFitter::measure(const SilhouetteFit& state, BlurEvidence* blur) {
 void SilhouetteFitter::smooth(const SilhouetteFit& state) {
     for (std::size_t side = 0; side < 2; ++side)
         if (edges_[side]) smoother_.smooth(rows_[side], state.noise[side]);
+}
+
+void SilhouetteFitter::measure_apart(const SilhouetteFit& state) {
+    constexpr float apart = 0.4F, reach = 3.0F;  // px
+    for (std::size_t side = 0; side < 2; ++side) {
+        for (std::size_t i = 0; i < rows_[side].size(); ++i) {
+            EdgeRow& row = rows_[side][i];
+            if (!row.seen || !(std::abs(row.offset) > apart)) continue;
+            const EdgeRow before = row;
+            const double here = crossing(row, side);
+            double own = here;
+            for (int round = 0; round < 3; ++round) {
+                own += outwards(side) * static_cast<double>(std::clamp(row.offset, -1.0F, 1.0F));
+                if (!(std::abs(own - here) < static_cast<double>(reach))) break;
+                measure_row(row, profile_, own, outwards(side), other_edge(state, side, i, own),
+                            state.noise[side], nullptr);
+            }
+            const double offset = outwards(side) * (own - here) +
+                                  static_cast<double>(std::abs(row.offset) < 1.0F ? row.offset : 0.0F);
+            if (!(std::abs(offset) < static_cast<double>(reach)) || !(row.information > 0.0F)) {
+                row = before;
+                continue;
+            }
+            row.offset = static_cast<float>(offset);
+        }
+    }
+}
+
+void SilhouetteFitter::turns(const SilhouetteFit& state) {
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Eigen::Vector3d change = state.post.plane_change(sides[side]).col(silhouette_part::roll);
+        for (EdgeRow& row : rows_[side]) {
+            const double miss = crossing(row, side) - row.ray.x;
+            const Eigen::Vector3d ray = row.ray.ray + miss * row.ray.slope;
+            row.turn =
+                static_cast<float>(-outwards(side) * change.dot(ray) / planes_[side].dot(row.ray.slope));
+        }
+    }
 }
 
 void SilhouetteFitter::fit_blur(SilhouetteFit& state, BlurEvidence& evidence) {
@@ -97,8 +156,14 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
         const bool just_read = readings_before != readings;
         const bool blur_open = iteration > 0 && iteration <= settled;
         measure(state, blur_open ? &blur : nullptr);
+        const bool ask_all = iteration == 2 || iteration == 4 || (just_read && iteration > 4);
+        if (ask_all) measure_apart(state);
         // Rows that come and go with the step would keep it from settling.
-        if (iteration < settled || just_read) gate_.weigh(rows_, state.noise, iteration > 0);
+        if (iteration < settled || just_read) gate_.weigh(rows_, state.noise, profile_, iteration > 0);
+        if (ask_all) {
+            turns(state);
+            state.consensus = consensus_.find(rows_, roll_from(prior.up, state.post), prior.roll_sigma);
+        }
         smooth(state);
 
         information.setZero();
@@ -122,6 +187,9 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
         const double lean_weight = 1.0 / (prior.lean_sigma * prior.lean_sigma);
         prior_information(lean, lean) = lean_weight;
         pull[lean] -= lean_weight * lean_from(prior.up, state.post);
+        const double roll_weight = 1.0 / (prior.roll_sigma * prior.roll_sigma);
+        prior_information(roll, roll) = roll_weight;
+        pull[roll] -= roll_weight * roll_from(prior.up, state.post);
         if (prior.half_angle_sigma > 0.0) {
             const double weight = 1.0 / (prior.half_angle_sigma * prior.half_angle_sigma);
             prior_information(half_angle, half_angle) = weight;
@@ -130,7 +198,7 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
         const Eigen::LDLT<Information> solver(information + prior_information);
         const SilhouetteStep step = solver.solve(pull);
         if (!step.allFinite() || step.norm() > 0.5) return state;
-        state.post = state.post.moved(step);
+        state.post = upright(state.post.moved(step), prior);
         ++state.iterations;
         if (!(state.post.half_angle > 0.0) || state.post.half_angle > 1.2) return state;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/refinement/edge_consensus.h"
 #include "core/refinement/edge_rows.h"
 #include "core/refinement/post_silhouette.h"
 #include "core/refinement/row_gate.h"
@@ -18,6 +19,7 @@ namespace goalmouth {
 struct SilhouettePrior {
     Eigen::Vector3d up = -Eigen::Vector3d::UnitY();  // frame C, along the post's axis
     double lean_sigma = 0.02;                        // rad, of `up` within the post's middle plane
+    double roll_sigma = 0.3;  // rad, of `up` about the line of sight; what a rolling shutter adds included
     double half_angle = 0.0;
     double half_angle_sigma = 0.0;  // rad; 0: not known
 };
@@ -31,6 +33,7 @@ struct SilhouetteFit {
     int iterations = 0;
     bool converged = false;
     RowScatter scatter;
+    EdgeConsensus::Result consensus;
 };
 
 /// Fits the two planes of a silhouette to rows of pixels.
@@ -38,9 +41,10 @@ struct SilhouetteFit {
 /// Gauss–Newton on the four parts of a SilhouetteStep: measure_row() gives for each row of each edge an
 /// offset t and its information I, all pixel-level unknowns eliminated, so that
 ///     H = Σ ω I J Jᵀ + P,  J = d(crossing) / d(step) = −(ray·dn/dstep) / (n·ray'),
-/// is the information of the full fit over all pixels. The prior P holds the lean: only the part of the
-/// measured vertical within the middle plane is used, the rest is read from the picture. ω gates rows
-/// (RowGate). Blur and noise are fitted along with it, pooled over the rows that count.
+/// is the information of the full fit over all pixels. The prior P holds lean and roll to the measured
+/// vertical, whose roll the picture tells far better wherever rows agree; beyond three sigmas neither goes. ω
+/// gates rows (RowGate, and EdgeConsensus where they disagree). Blur and noise are fitted along with it,
+/// pooled over the rows that count.
 ///
 /// The covariance is H⁻¹ with the rows' information scaled to the scatter they show, and by how much
 /// neighbouring rows' offsets resemble each other (compressed pictures).
@@ -58,6 +62,10 @@ class SilhouetteFitter {
 
     void measure(const SilhouetteFit& state, BlurEvidence* blur);
     void smooth(const SilhouetteFit& state);
+    /// Measures rows whose edge lies apart from the common one where it lies.
+    void measure_apart(const SilhouetteFit& state);
+    /// What a roll does to the rows' edges (EdgeRow::turn).
+    void turns(const SilhouetteFit& state);
     static void fit_blur(SilhouetteFit& state, BlurEvidence& evidence);
     /// px from an edge in a row to the other one, where that is near enough to matter; else 0.
     double other_edge(const SilhouetteFit& state, std::size_t side, std::size_t row, double here) const;
@@ -70,6 +78,7 @@ class SilhouetteFitter {
     StepProfile profile_;
     LevelSmoother smoother_;
     RowGate gate_;
+    EdgeConsensus consensus_;
 };
 
 }  // namespace goalmouth

@@ -1,0 +1,177 @@
+#include "core/refinement/edge_consensus.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace goalmouth {
+namespace {
+
+constexpr std::size_t longest_piece = 8;  // rows
+constexpr double reach = 3.0;             // px, over which places that are wrong are spread
+constexpr double unshared = 0.04;         // px, sigma of a run's place beside its rows' noise
+constexpr double transition = 2.0;        // rows of a run that look like its neighbours in part
+// Farther in something may lie over the post; farther out something behind it would have to be of its hue and
+// as bright. Odds of that, as ln 5.
+constexpr double hue_alike = 1.6;
+constexpr double least_clean = 0.25;
+
+bool counts(const EdgeRow& row) {
+    return row.seen && row.information > 0.0F && static_cast<double>(row.clean) > least_clean;
+}
+
+double variance_of(const EdgeRow& row) {
+    return 1.0 / static_cast<double>(row.information) + edge_roughness * edge_roughness;
+}
+
+double unlike(const EdgeRow& a, const EdgeRow& b) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < a.background.size(); ++k) {
+        const double d = static_cast<double>(a.background[k] - b.background[k]);
+        sum += d * d;
+    }
+    return std::sqrt(sum);
+}
+
+float quantile(std::vector<float>& values, double share) {
+    if (values.empty()) return 0.0F;
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+}  // namespace
+
+void EdgeConsensus::split(const std::vector<EdgeRow>& rows, std::vector<Piece>& pieces) {
+    pieces.clear();
+    // What backgrounds usually change from row to row is noise.
+    sorted_.clear();
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+        if (counts(rows[i]) && counts(rows[i + 1]))
+            sorted_.push_back(static_cast<float>(unlike(rows[i], rows[i + 1])));
+    const double usual = 4.0 * static_cast<double>(quantile(sorted_, 0.5)) + 2.0;
+
+    std::size_t run_start = 0;  // its first piece
+    Piece piece;
+    double weights = 0.0;
+    const EdgeRow* before = nullptr;
+    const auto end_piece = [&] {
+        if (piece.rows > 0.0) {
+            piece.place /= weights;
+            piece.turn /= weights;
+            piece.variance = spread_ * spread_ / weights;
+            pieces.push_back(piece);
+        }
+        piece = {};
+        weights = 0.0;
+    };
+    const auto end_run = [&] {
+        end_piece();
+        double n = 0.0, w = 0.0;
+        for (std::size_t k = run_start; k < pieces.size(); ++k)
+            n += pieces[k].rows, w += 1.0 / pieces[k].variance;
+        const double told =
+            w > 0.0 ? std::log(1.0 + reach / (2.5066 * std::sqrt(1.0 / w + unshared * unshared))) : 0.0;
+        for (std::size_t k = run_start; k < pieces.size(); ++k) {
+            pieces[k].share = told * pieces[k].rows / (n + transition);
+            pieces[k].variance += unshared * unshared;
+        }
+        run_start = pieces.size();
+    };
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const EdgeRow& row = rows[i];
+        if (!counts(row)) continue;
+        const double variance = variance_of(row);
+        if (before != nullptr && unlike(row, *before) > usual) end_run();
+        if (piece.rows > 0.0) {
+            // Where the edge jumps something else begins, whatever the background looks like.
+            const double jump = static_cast<double>(row.offset) - piece.place / weights;
+            const bool jumps = jump * jump > 16.0 * spread_ * spread_ * (variance + 1.0 / weights);
+            if (jumps) end_run();
+        }
+        if (piece.rows >= static_cast<double>(longest_piece)) end_piece();
+        if (piece.rows == 0.0) piece.first = i;
+        piece.last = i;
+        piece.rows += 1.0;
+        piece.place += static_cast<double>(row.offset) / variance;
+        piece.turn += static_cast<double>(row.turn) / variance;
+        weights += 1.0 / variance;
+        before = &row;
+    }
+    end_run();
+}
+
+double EdgeConsensus::evidence(const std::vector<Piece>& pieces, double place, double turn) {
+    double sum = 0.0;
+    for (const Piece& p : pieces) {
+        const double miss = p.place - place - turn * p.turn;
+        sum += p.share * std::max(0.0, 1.0 - miss * miss / (9.0 * p.variance));
+    }
+    return sum;
+}
+
+EdgeConsensus::Result EdgeConsensus::find(std::array<std::vector<EdgeRow>, 2>& rows, double roll,
+                                          double sigma) {
+    Result result;
+    sorted_.clear();
+    double longest = 0.0;
+    for (const auto& side : rows)
+        for (const EdgeRow& row : side) {
+            if (!counts(row)) continue;
+            sorted_.push_back(
+                static_cast<float>(std::abs(static_cast<double>(row.offset)) / std::sqrt(variance_of(row))));
+            longest = std::max(longest, std::abs(static_cast<double>(row.turn)));
+        }
+    if (sorted_.empty() || !(longest > 0.0)) return result;
+    spread_ = 1.0;
+    for (std::size_t side = 0; side < 2; ++side) split(rows[side], pieces_[side]);
+
+    const auto agrees = [](const Piece& p) { return p.place * p.place < 9.0 * p.variance; };
+    if (std::all_of(pieces_[0].begin(), pieces_[0].end(), agrees) &&
+        std::all_of(pieces_[1].begin(), pieces_[1].end(), agrees))
+        return result;  // with one another, and with the fit so far
+
+    constexpr double most = 3.0, step = 0.15;  // px, at the edges' ends
+    double best = -1e9, best_turn = 0.0;
+    std::array<double, 2> place{};
+    for (double end = -most; end <= most + 1e-9; end += step) {
+        const double turn = end / longest;
+        double sum = 0.0;
+        std::array<double, 2> at{};
+        for (std::size_t side = 0; side < 2; ++side) {
+            double most_here = 0.0;
+            for (const Piece& p : pieces_[side]) {
+                const double a = p.place - turn * p.turn;
+                const double e = evidence(pieces_[side], a, turn);
+                if (e > most_here) most_here = e, at[side] = a;
+            }
+            sum += most_here;
+        }
+        const double leaves = (roll + turn) / sigma;
+        sum -= 0.5 * leaves * leaves + 1e-3 * std::abs(end);  // of equals the least
+        if (sum > best) best = sum, best_turn = turn, place = at;
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+        result.evidence[side] = evidence(pieces_[side], place[side], best_turn);
+        for (const Piece& p : pieces_[side]) {
+            const double a = p.place - best_turn * p.turn;
+            const double apart = a - place[side];
+            if (apart * apart < 18.0 * p.variance) continue;
+            result.disagree = true;
+            const double against = evidence(pieces_[side], a, best_turn) - (apart < 0.0 ? hue_alike : 0.0);
+            result.rival[side] = std::max(result.rival[side], against);
+        }
+    }
+    if (!result.disagree) return result;
+    for (std::size_t side = 0; side < 2; ++side) {
+        for (EdgeRow& row : rows[side]) row.weight = 0.0F, row.outvoted = true;
+        for (const Piece& p : pieces_[side]) {
+            const double miss = p.place - place[side] - best_turn * p.turn;
+            if (miss * miss > 9.0 * p.variance) continue;
+            for (std::size_t i = p.first; i <= p.last; ++i)
+                if (counts(rows[side][i])) rows[side][i].weight = 1.0F, rows[side][i].outvoted = false;
+        }
+    }
+    return result;
+}
+
+}  // namespace goalmouth

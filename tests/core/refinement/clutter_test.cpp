@@ -1,0 +1,252 @@
+#include "core/refinement/edge_consensus.h"
+#include "core/refinement/post_refiner.h"
+#include "core/refinement/row_gate.h"
+#include "tests/core/refinement/drawn_post.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace goalmouth::test {
+namespace {
+
+const Levels grey{150, 150, 155};
+
+/// A small picture where the post lies, to draw quickly. A pixel of width is 19 cm of distance here.
+DrawnPost cluttered() {
+    DrawnPost scene;
+    scene.camera.width = 160;
+    scene.camera.height = 240;
+    scene.camera.cx = 79.5;
+    scene.camera.cy = 119.5;
+    scene.distance = 3.2;
+    return scene;
+}
+
+struct Edges {
+    Post at;
+    double left(double y) const { return along(at.left_top, at.left_base, y); }
+    double right(double y) const { return along(at.right_top, at.right_base, y); }
+    /// Row at a share of the way down.
+    double row(double share) const { return at.left_top.y() + share * (at.left_base.y() - at.left_top.y()); }
+
+  private:
+    static double along(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double y) {
+        return a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    }
+};
+
+RefinedPost refine(const DrawnPost& scene, const YuyvImage& image) {
+    PostRefiner refiner({}, {});
+    return refiner.refine(image.view(), {scene.found(0.5, -0.4)}, scene.camera, scene.pose()).front();
+}
+
+void expect_measured(const RefinedPost& refined, const DrawnPost& scene, double near) {
+    ASSERT_TRUE(refined.post.has(post_flag::refined)) << refined.reason << refined.quality;
+    EXPECT_NEAR(refined.post.distance_m, scene.distance, near);
+}
+
+TEST(Clutter, BlackThingThatPeepsOutBesideThePostIsNotThePost) {
+    for (const double out : {0.8, 1.2, 2.0}) {
+        DrawnPost scene = cluttered();
+        const Edges edges{scene.found()};
+        scene.behind = [&](double x, double y) {
+            const bool board = y < edges.row(0.6) && x > edges.left(y) - out && x < edges.right(y) - 3.0;
+            return board ? Levels(14, 14, 16) : grey;
+        };
+        const RefinedPost refined = refine(scene, scene.draw());
+        // Less than a pixel of black might be shading: such a post may be given up.
+        if (out > 1.0 || refined.post.has(post_flag::refined)) expect_measured(refined, scene, 0.03);
+    }
+}
+
+TEST(Clutter, ThirdColourBetweenPostAndBackgroundTakesRowsAndNotTheFit) {
+    for (const double out : {1.2, 2.0}) {
+        DrawnPost scene = cluttered();
+        const Edges edges{scene.found()};
+        scene.behind = [&](double x, double y) {
+            const bool board = y < edges.row(0.55) && x < edges.right(y) + out && x > edges.left(y) + 3.0;
+            return board ? Levels(200, 20, 120) : grey;
+        };
+        expect_measured(refine(scene, scene.draw()), scene, 0.03);
+    }
+}
+
+TEST(Clutter, RowsBeforeSeveralBackgroundsOutweighMoreRowsBehindOneOccluder) {
+    DrawnPost scene = cluttered();
+    const Edges edges{scene.found()};
+    scene.behind = [&](double, double y) {
+        const double share = (y - edges.row(0.0)) / (edges.row(1.0) - edges.row(0.0));
+        if (share < 0.15) return grey;
+        if (share < 0.28) return Levels(40, 60, 160);
+        return share < 0.4 ? Levels(90, 150, 90) : grey;
+    };
+    scene.before = [&](double x, double y) {
+        const bool hides = y > edges.row(0.45) && x < edges.left(y) + 0.6;
+        return hides ? std::optional<Levels>(Levels(120, 125, 140)) : std::nullopt;
+    };
+    expect_measured(refine(scene, scene.draw()), scene, 0.03);
+}
+
+EdgeRow row_at(double offset, float background) {
+    EdgeRow row;
+    row.seen = true;
+    row.information = 100.0F;
+    row.offset = static_cast<float>(offset);
+    row.background = {background, 0.0F, 0.0F};
+    return row;
+}
+
+/// Rows with their turn, as of an upright post.
+void place(std::vector<EdgeRow>& rows, double side) {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i].turn =
+            static_cast<float>(side * (static_cast<double>(i) - 0.5 * static_cast<double>(rows.size())));
+}
+
+TEST(EdgeConsensus, ThreeRunsThatAgreeOutweighALongerOne) {
+    std::array<std::vector<EdgeRow>, 2> rows;
+    for (int i = 0; i < 60; ++i) rows[0].push_back(row_at(-0.8, 0.0F));
+    for (int i = 0; i < 36; ++i) rows[0].push_back(row_at(0.02, i < 12 ? 60.0F : i < 24 ? 120.0F : 180.0F));
+    for (int i = 0; i < 96; ++i) rows[1].push_back(row_at(0.0, 0.0F));
+    place(rows[0], -1.0);
+    place(rows[1], 1.0);
+    EdgeConsensus consensus;
+    const EdgeConsensus::Result result = consensus.find(rows, 0.0, 0.02);
+    EXPECT_TRUE(result.disagree);
+    EXPECT_GT(result.evidence[0], result.rival[0] + 3.0);
+    for (std::size_t i = 0; i < 96; ++i) EXPECT_EQ(rows[0][i].outvoted, i < 60) << i;
+    EXPECT_TRUE(std::none_of(rows[1].begin(), rows[1].end(), [](const EdgeRow& r) { return r.outvoted; }));
+}
+
+TEST(EdgeConsensus, TwoRunsThatDisagreeLeaveItOpen) {
+    std::array<std::vector<EdgeRow>, 2> rows;
+    for (int i = 0; i < 48; ++i) rows[0].push_back(row_at(0.0, 0.0F));
+    for (int i = 0; i < 48; ++i) rows[0].push_back(row_at(0.9, 90.0F));
+    for (int i = 0; i < 96; ++i) rows[1].push_back(row_at(0.0, 0.0F));
+    place(rows[0], -1.0);
+    place(rows[1], 1.0);
+    EdgeConsensus consensus;
+    const EdgeConsensus::Result result = consensus.find(rows, 0.0, 0.02);
+    EXPECT_TRUE(result.disagree);
+    EXPECT_LT(result.evidence[0] - result.rival[0], 2.0);
+}
+
+TEST(EdgeConsensus, RowsThatAgreeAreLeftAlone) {
+    std::array<std::vector<EdgeRow>, 2> rows;
+    for (auto& side : rows)
+        for (int i = 0; i < 96; ++i) side.push_back(row_at(0.05 * std::sin(1.7 * i), i < 40 ? 0.0F : 80.0F));
+    place(rows[0], -1.0);
+    place(rows[1], 1.0);
+    EdgeConsensus consensus;
+    EXPECT_FALSE(consensus.find(rows, 0.0, 0.02).disagree);
+    for (const auto& side : rows)
+        for (const EdgeRow& row : side) EXPECT_FALSE(row.outvoted);
+}
+
+TEST(RowGate, MisfitOfBothEdgesIsTheCamerasOfOneTheBackgrounds) {
+    StepProfile profile;
+    profile.set_blur(0.9, 0.5);
+    for (const bool both : {true, false}) {
+        std::array<std::vector<EdgeRow>, 2> rows;
+        for (std::size_t side = 0; side < 2; ++side) {
+            for (int i = 0; i < 90; ++i) {
+                EdgeRow row = row_at(0.0, 0.0F);
+                row.freedom = 4.0F;
+                row.misfit = both || side == 0 ? 12.0F : 0.6F;
+                rows[side].push_back(row);
+            }
+        }
+        std::array<double, 2> noise = {1.0, 1.0};
+        RowGate gate;
+        gate.weigh(rows, noise, profile, true);
+        if (both)
+            EXPECT_GT(rows[0][45].weight, 0.9F);
+        else
+            EXPECT_EQ(rows[0][45].weight, 0.0F);
+        EXPECT_GT(rows[1][45].weight, 0.9F);
+    }
+}
+
+/// As webcams sharpen: half of what differs from the neighbours' mean is added.
+void sharpen(YuyvImage& image) {
+    const YuyvImage before = image;
+    for (int y = 0; y < image.height; ++y) {
+        const std::uint8_t* in = before.data.data() + static_cast<std::ptrdiff_t>(y) * before.stride();
+        std::uint8_t* out = image.data.data() + static_cast<std::ptrdiff_t>(y) * image.stride();
+        const auto mend = [&](int at, int step) {
+            const double mean = (in[at - step] + in[at] + in[at + step]) / 3.0;
+            out[at] =
+                static_cast<std::uint8_t>(std::clamp(std::lround(in[at] + 0.5 * (in[at] - mean)), 0L, 255L));
+        };
+        for (int x = 4; x + 4 < image.stride(); ++x) mend(x, x % 2 == 0 ? 2 : 4);
+    }
+}
+
+TEST(Clutter, SharpenedPictureIsNoClutter) {
+    DrawnPost scene = cluttered();
+    scene.noise = 1.5;
+    YuyvImage image = scene.draw();
+    sharpen(image);
+    const RefinedPost refined = refine(scene, image);
+    expect_measured(refined, scene, 0.05);
+    EXPECT_GT(refined.left->rows, refined.rows / 2);
+}
+
+TEST(Clutter, RowsOutvotedOnceCountAgainInTheNextPicture) {
+    DrawnPost hidden = cluttered();
+    const Edges edges{hidden.found()};
+    hidden.before = [&](double x, double y) {
+        const bool hides = y > edges.row(0.55) && x < edges.left(y) + 1.5;
+        return hides ? std::optional<Levels>(Levels(40, 40, 46)) : std::nullopt;
+    };
+    const DrawnPost scene = cluttered();
+    const YuyvImage first = hidden.draw(), second = scene.draw();
+    PostRefiner used({}, {}), fresh({}, {});
+    used.refine(first.view(), {hidden.found()}, hidden.camera, hidden.pose());
+    const RefinedPost again = used.refine(second.view(), {scene.found()}, scene.camera, scene.pose()).front();
+    const RefinedPost expected =
+        fresh.refine(second.view(), {scene.found()}, scene.camera, scene.pose()).front();
+    EXPECT_EQ(again.left->rows, expected.left->rows);
+    EXPECT_EQ(again.post.distance_m, expected.post.distance_m);
+    EXPECT_EQ(again.post.covariance, expected.post.covariance);
+}
+
+TEST(Clutter, PixelsBeyondTheBorderThatCutsAPostDoNotMatter) {
+    const DrawnPost scene = cluttered();
+    const YuyvImage drawn = scene.draw();
+    const Post found = scene.found();
+    for (const bool cut_left : {true, false}) {
+        for (int shown = 2; shown <= 14; shown += 2) {  // px of it
+            const int even =
+                2 * static_cast<int>((cut_left ? found.right_top.x() : found.left_top.x()) / 2.0);
+            const int first = cut_left ? even - shown : 20;
+            const int width = cut_left ? 60 : even + shown - first;
+            YuyvImage other = drawn;
+            for (int y = 0; y < other.height; ++y) {
+                std::uint8_t* row = other.data.data() + static_cast<std::ptrdiff_t>(y) * other.stride();
+                std::fill(row, row + 2 * first, std::uint8_t{250});
+                std::fill(row + 2 * (first + width), row + other.stride(), std::uint8_t{3});
+            }
+            Intrinsics camera = scene.camera;
+            camera.width = width;
+            camera.cx -= first;
+            Post post = found;
+            for (auto* corner : {&post.left_top, &post.left_base, &post.right_top, &post.right_base})
+                corner->x() -= first;
+            const auto measured = [&](const YuyvImage& image) {
+                PostRefiner refiner({}, {});
+                const YuyvView part{image.data.data() + 2 * first, width, image.height, image.stride()};
+                return refiner.refine(part, {post}, camera, scene.pose()).front();
+            };
+            const RefinedPost a = measured(drawn), b = measured(other);
+            EXPECT_EQ(a.reason, b.reason) << cut_left << shown;
+            EXPECT_EQ(a.quality, b.quality) << cut_left << shown;
+            EXPECT_EQ(a.post.bearing_rad, b.post.bearing_rad) << cut_left << shown;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace goalmouth::test
