@@ -10,7 +10,12 @@
 namespace goalmouth {
 namespace {
 
-constexpr int least_rows = 8;  // px
+constexpr int least_rows = 8;              // px
+constexpr double most_off_vertical = 3.0;  // sigmas: 0.3 % of all posts are beyond
+
+double square(double x) {
+    return x * x;
+}
 
 /// Nothing where the corners are no outline of anything in the picture.
 std::optional<RoughOutline> rough_outline(const Post& post, YuyvView image) {
@@ -50,6 +55,18 @@ double rough_half_angle(const RoughOutline& outline, const Intrinsics& camera) {
     return 0.5 * std::abs(right - left);
 }
 
+/// The edges of an upright post meet where its axis points: how far off the measured vertical that is, along
+/// the line of sight, in sigmas of both. The fit's place holds part of the measured one: this is the least.
+double sigmas_off_vertical(const SilhouetteFit& fit, const SilhouettePrior& prior) {
+    const Eigen::Vector3d up = prior.up - prior.up.dot(fit.post.right) * fit.post.right;
+    const double off = std::atan2(fit.post.up.dot(fit.post.right.cross(up)), fit.post.up.dot(up));
+    using silhouette_part::lean;
+    const double measured = 1.0 / square(prior.lean_sigma);
+    const double by_edges = 1.0 / fit.covariance(lean, lean) - measured;  // information
+    if (!(by_edges > 0.0)) return 0.0;
+    return std::abs(off) / std::sqrt(1.0 / measured + 1.0 / by_edges);
+}
+
 }  // namespace
 
 PostRefiner::PostRefiner(const RefinementParameters& parameters, const Field& field)
@@ -71,6 +88,8 @@ PostRefiner::Vertical PostRefiner::vertical(const std::optional<CameraPose>& pos
     const Eigen::Matrix3d change = R_BC.transpose() * turn;
     result.covariance = change * pose->covariance.bottomRightCorner<3, 3>() * change.transpose() +
                         lean * lean * Eigen::Matrix3d::Identity();
+    result.camera = CameraStance{pose->T_BC.translation().z(), pose->covariance(2, 2),
+                                 change * pose->covariance.block<3, 1>(3, 2)};
     return result;
 }
 
@@ -138,19 +157,57 @@ const char* PostRefiner::refine_one(YuyvView image, const Intrinsics& camera, co
     }
     refined.quality = fit_quality(fit, coarse, edges, layout.count);
     if (refined.quality < parameters_.least_quality) return "its pixels fit badly";
+    refined.quality = std::min(refined.quality, 0.5 * most_off_vertical / sigmas_off_vertical(fit, prior));
+    if (refined.quality < parameters_.least_quality) return "its edges run together as no upright post's do";
     if (!edges[0]) post.flags |= post_flag::left_edge_missing;
     if (!edges[1]) post.flags |= post_flag::right_edge_missing;
-    set_measurement(post, fit, extent, edges, camera, 0.5 * field_.post_diameter, parameters_);
+    const PostEstimate by_width =
+        set_measurement(post, fit, extent, edges, camera, 0.5 * field_.post_diameter, parameters_);
     post.flags |= post_flag::refined;
-    if (edges[0] && edges[1])
-        refined.cues.push_back({DistanceCueKind::width, post.distance_m, std::sqrt(post.covariance(0, 0))});
+
+    PostEndFinder finder(image, camera, fit.post, colour,
+                         {fit.blur, parameters_.least_contrast, parameters_.end_floor});
+    PostEnds ends;
+    if (extent.base_seen) ends.base = finder.base(extent.last_row);
+    if (extent.top_seen) ends.top = finder.top(extent.first_row);
+    if (ends.base) refined.base = ends.base->pixel;
+    if (ends.top) refined.top = ends.top->pixel;
+    if (!edges[0] || !edges[1]) return "";
+    const CombinedDistance all =
+        combine_distances(by_width, fit.post, ends, vertical.camera, prior.lean_sigma, field_, parameters_);
+    refined.cues = all.cues;
+    // A half where the height is off by all that cue_gate allows.
+    if (all.disagreement > 0.0)
+        refined.quality = std::min(refined.quality, 0.5 * parameters_.cue_gate / all.disagreement);
+    if (refined.quality < parameters_.least_quality) return "its width and its height disagree";
+    post.distance_m = all.estimate.distance;
+    post.bearing_rad = all.estimate.bearing;
+    post.covariance = all.estimate.covariance();
+    using silhouette_part::lean;
+    measured_.push_back({fit.post, all.estimate, fit.covariance.col(lean) / square(prior.lean_sigma)});
+    measured_of_.push_back(refined_.size() - 1);
     return "";
+}
+
+void PostRefiner::use_goals(const Vertical& vertical) {
+    const Eigen::Matrix3d attitude =
+        vertical.covariance - square(parameters_.tilt_floor) * Eigen::Matrix3d::Identity();
+    for (const GoalPairResult& told :
+         pair_up(measured_, attitude, field_.goal_width, parameters_.goal_error)) {
+        RefinedPost& refined = refined_[measured_of_[told.post]];
+        refined.post.distance_m = told.estimate[0];
+        refined.post.bearing_rad = told.estimate[1];
+        refined.post.covariance = told.covariance;
+        if (told.sigma > 0.0) refined.cues.push_back({DistanceCueKind::goal, told.distance, told.sigma});
+    }
 }
 
 const std::vector<RefinedPost>& PostRefiner::refine(YuyvView image, const std::vector<Post>& posts,
                                                     const Intrinsics& camera,
                                                     const std::optional<CameraPose>& pose) {
     refined_.clear();
+    measured_.clear();
+    measured_of_.clear();
     const Vertical up = vertical(pose);
     for (const Post& post : posts) {
         RefinedPost& refined = refined_.emplace_back();
@@ -162,9 +219,12 @@ const std::vector<RefinedPost>& PostRefiner::refine(YuyvView image, const std::v
             refined.post.flags &= ~post_flag::refined;
             refined.left.reset();
             refined.right.reset();
+            refined.base.reset();
+            refined.top.reset();
             refined.cues.clear();
         }
     }
+    if (parameters_.goal_cue) use_goals(up);
     return refined_;
 }
 

@@ -6,6 +6,8 @@
 #include "core/geometry/camera_pose.h"
 #include "core/imaging/yuyv.h"
 #include "core/refinement/coarse_edges.h"
+#include "core/refinement/distance_cues.h"
+#include "core/refinement/goal_pairs.h"
 #include "core/refinement/post_colour.h"
 #include "core/refinement/refined_post.h"
 #include "core/refinement/refinement_parameters.h"
@@ -35,12 +37,14 @@ class PostRefiner {
     struct Vertical {
         Eigen::Vector3d up = -Eigen::Vector3d::UnitY();  // frame C
         Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+        std::optional<CameraStance> camera;
     };
 
     Vertical vertical(const std::optional<CameraPose>& pose) const;
     /// "" where it was refined, else why not.
     const char* refine_one(YuyvView image, const Intrinsics& camera, const Vertical& vertical,
                            RefinedPost& refined);
+    void use_goals(const Vertical& vertical);
 
     RefinementParameters parameters_;
     Field field_;
@@ -48,6 +52,8 @@ class PostRefiner {
     CoarseEdgeFinder coarse_;
     SilhouetteFitter fitter_;
     std::vector<RefinedPost> refined_;
+    std::vector<GoalPairPost> measured_;    // of these, which have both edges
+    std::vector<std::size_t> measured_of_;  // which
 };
 
 }  // namespace goalmouth

@@ -22,9 +22,9 @@ SilhouetteStep crossing_change(const PostSilhouette& post, OutlineSide side, con
 
 }  // namespace
 
-void set_measurement(Post& post, const SilhouetteFit& fit, const PostExtent& extent,
-                     const std::array<bool, 2>& edges, const Intrinsics& camera, double radius,
-                     const RefinementParameters& parameters) {
+PostEstimate set_measurement(Post& post, const SilhouetteFit& fit, const PostExtent& extent,
+                             const std::array<bool, 2>& edges, const Intrinsics& camera, double radius,
+                             const RefinementParameters& parameters) {
     const Eigen::Vector3d left_plane = fit.post.plane(OutlineSide::left);
     const Eigen::Vector3d right_plane = fit.post.plane(OutlineSide::right);
     const auto top = static_cast<double>(extent.first_row);
@@ -57,30 +57,34 @@ void set_measurement(Post& post, const SilhouetteFit& fit, const PostExtent& ext
                                           (crossing_change(fit.post, OutlineSide::left, left) +
                                            crossing_change(fit.post, OutlineSide::right, right));
 
-    const double sine = std::sin(post.bearing_rad), cosine = std::cos(post.bearing_rad);
-    const double floor = square(parameters.outline_floor * per_px) / 2.0;
-    const double bearing_focal = -parameters.focal_error * sine * cosine;
-    post.covariance(1, 1) =
-        bearing_change.dot(fit.covariance * bearing_change) + floor + square(bearing_focal);
-    post.covariance(0, 1) = post.covariance(1, 0) = 0.0;
+    PostEstimate estimate;
+    estimate.bearing = post.bearing_rad;
+    using namespace distance_error;
+    estimate.errors.block<4, 4>(step, step) = fit.covariance;
+    estimate.errors(outline_middle, outline_middle) = estimate.errors(outline_width, outline_width) =
+        square(parameters.outline_floor * per_px) / 2.0;
+    estimate.errors(focal, focal) = square(parameters.focal_error);
+    estimate.errors(diameter, diameter) = square(parameters.diameter_error);
+    estimate.bearing_change.segment<4>(step) = bearing_change.transpose();
+    estimate.bearing_change[outline_middle] = 1.0;
+    estimate.bearing_change[focal] = -std::sin(post.bearing_rad) * std::cos(post.bearing_rad);
     if (!edges[0] || !edges[1]) {
         post.flags |= post_flag::no_distance;
         post.distance_m = 0.0;
+        post.covariance = estimate.covariance();
         post.covariance(0, 0) = square(unknown_distance_sigma);
-        return;
+        return estimate;
     }
-    const double distance = radius / std::sin(fit.post.half_angle);
-    SilhouetteStep distance_change = SilhouetteStep::Zero();
-    distance_change[silhouette_part::half_angle] = -distance / std::tan(fit.post.half_angle);
     post.flags &= ~post_flag::no_distance;
-    post.distance_m = distance;
-    post.covariance(0, 0) = distance_change.dot(fit.covariance * distance_change) +
-                            square(distance_change[silhouette_part::half_angle]) * floor +
-                            square(distance * parameters.focal_error) +
-                            square(distance * parameters.diameter_error);
-    post.covariance(0, 1) = distance_change.dot(fit.covariance * bearing_change) +
-                            distance * parameters.focal_error * bearing_focal;
-    post.covariance(1, 0) = post.covariance(0, 1);
+    const double distance = radius / std::sin(fit.post.half_angle);
+    const double per_half_angle = -distance / std::tan(fit.post.half_angle);
+    post.distance_m = estimate.distance = distance;
+    estimate.distance_change[step + silhouette_part::half_angle] = per_half_angle;
+    estimate.distance_change[outline_width] = per_half_angle;
+    estimate.distance_change[focal] = distance;
+    estimate.distance_change[diameter] = distance;
+    post.covariance = estimate.covariance();
+    return estimate;
 }
 
 }  // namespace goalmouth

@@ -2,6 +2,7 @@
 
 #include "core/detection/post.h"
 #include "core/geometry/camera.h"
+#include "core/refinement/distance_errors.h"
 #include "core/refinement/post_extent.h"
 #include "core/refinement/refinement_parameters.h"
 #include "core/refinement/silhouette_fit.h"
@@ -23,8 +24,9 @@ namespace goalmouth {
 ///               dD = −D·cot η · dη,   dβ = −cos²β · x'(row) · ½ (dx_l + dx_r)/ds · ds,
 ///           and, for what no row of the picture tells: outline_floor on each edge; a focal length wrong by
 ///           the share ε moves D by ε·D and β by −ε·sin β·cos β; a diameter wrong by ε moves D by ε·D.
-void set_measurement(Post& post, const SilhouetteFit& fit, const PostExtent& extent,
-                     const std::array<bool, 2>& edges, const Intrinsics& camera, double radius,
-                     const RefinementParameters& parameters);
+/// Returns the same to first order in all errors; with one edge alone it has no distance.
+PostEstimate set_measurement(Post& post, const SilhouetteFit& fit, const PostExtent& extent,
+                             const std::array<bool, 2>& edges, const Intrinsics& camera, double radius,
+                             const RefinementParameters& parameters);
 
 }  // namespace goalmouth

@@ -17,6 +17,12 @@ struct RefinementParameters {
     double outline_floor = 0.002;
     double focal_error = 0.0;
     double diameter_error = 0.0;
+    bool base_cue = true;
+    bool height_cue = true;
+    bool goal_cue = true;
+    double goal_error = 0.005;
+    double end_floor = 0.05;
+    double cue_gate = 4.0;
 };
 
 template <class Visitor>
@@ -45,6 +51,16 @@ void describe_parameters(Visitor& v, RefinementParameters& p) {
       "sigma of the focal length's relative error: adds as much to the distance's; no picture tells it");
     v("diameter_error", p.diameter_error, Range{0, 0.5}, "1",
       "sigma of the post diameter's relative error: adds as much to the distance's; no picture tells it");
+    v("base_cue", p.base_cue,
+      "where a post stands on the ground tells its distance too, if the camera's pose is known");
+    v("height_cue", p.height_cue, "how high a post is tells its distance too");
+    v("goal_cue", p.goal_cue, "two posts of one goal tell the distance of both");
+    v("goal_error", p.goal_error, Range{0, 1}, "m", "sigma of a goal's height and width as it stands there");
+    v("end_floor", p.end_floor, Range{0, 5}, "px",
+      "sigma of a post's base and top that does not shrink with more pixels (pile of a carpet, edge model)");
+    v("cue_gate", p.cue_gate, Range{1, 100}, "1",
+      "sigmas by which another cue may be off the width's distance to count; a post of which the height is "
+      "farther off has a quality of less than a half");
 }
 
 }  // namespace goalmouth
