@@ -17,14 +17,14 @@ std::size_t place_of(OutlineSide side) {
 class Walk {
   public:
     Walk(YuyvView image, int row, const PostColour& colour)
-        : upper_(image.row(row)),
-          lower_(image.row(std::min(row + 1, image.height - 1))),
+        : upper_(image.row(row), image.width / 2, colour.response),
+          lower_(image.row(std::min(row + 1, image.height - 1)), image.width / 2, colour.response),
           pairs_(image.width / 2),
           colour_(colour) {}
 
     bool inside(int pair) const { return pair >= 0 && pair < pairs_; }
     Eigen::Vector3f offset(int pair) const {
-        const PairColour z = 0.5F * (pair_colour(upper_ + 4 * pair) + pair_colour(lower_ + 4 * pair));
+        const PairColour z = 0.5F * (upper_[pair] + lower_[pair]);
         return z - colour_.mean;
     }
     float difference(int pair) const {
@@ -33,8 +33,7 @@ class Walk {
     }
 
   private:
-    const std::uint8_t* upper_;
-    const std::uint8_t* lower_;
+    PairRow upper_, lower_;
     int pairs_;
     const PostColour& colour_;
 };

@@ -101,7 +101,6 @@ CombinedDistance combine_distances(const PostEstimate& width, const PostSilhouet
         const DistanceGradient apart = cue.change - width.distance_change;
         const double sigma = std::sqrt(apart * errors * apart.transpose());
         const double off = std::abs(cue.distance - width.distance) / sigma;
-        if (cue.kind == DistanceCueKind::crossbar) result.disagreement = off;
         // First order holds for no farther than this.
         constexpr double straight = 0.3;
         if (!(off <= parameters.cue_gate) || std::sqrt(variance) > straight * cue.distance) continue;

@@ -30,7 +30,6 @@ struct PostEnds {
 struct CombinedDistance {
     std::vector<DistanceCue> cues;  // each on its own, the width's first
     PostEstimate estimate;
-    double disagreement = 0.0;  // in sigmas, between the width's distance and the height's; 0 where none
 };
 
 /// Distances of a post from its ends, and together with that from its width. With r the post's radius, t_b

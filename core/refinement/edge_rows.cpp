@@ -55,16 +55,9 @@ void EdgeRowReader::read_window(YuyvView image, const RowLayout& layout, int top
     const float per_row = 1.0F / static_cast<float>(layout.bin);
     const double clear = edge + outwards * (2.2 * blur + 1.0);
     for (int i = 0; i < window.pairs; ++i) {
-        int sum[4] = {};
-        for (int k = 0; k < layout.bin; ++k) {
-            const std::uint8_t* p = image.row(top + k) + 4 * (first + i);
-            sum[0] += p[0] + p[2];
-            sum[1] += p[1];
-            sum[2] += p[3];
-        }
-        const PairColour z(0.5F * per_row * static_cast<float>(sum[0]),
-                           per_row * static_cast<float>(sum[1]) - 128.0F,
-                           per_row * static_cast<float>(sum[2]) - 128.0F);
+        PairColour z = PairColour::Zero();
+        for (int k = 0; k < layout.bin; ++k)
+            z += per_row * PairRow(image.row(top + k), pairs, colour.response)[first + i];
         const Eigen::Vector3f e = z - colour.mean;
         window.colours[static_cast<std::size_t>(i)] = e;
         if (outwards * (2.0 * (first + i) + 0.5 - clear) >= 0.0) {

@@ -39,7 +39,8 @@ double RoughOutline::width() const {
 }
 
 bool PostColourEstimator::estimate(YuyvView image, const RoughOutline& outline,
-                                   const RefinementParameters& parameters, PostColour& colour) {
+                                   const RefinementParameters& parameters, CameraResponse response,
+                                   PostColour& colour) {
     constexpr int most_rows = 40;
     constexpr int most_across = 10;
     constexpr double margin = 0.22;  // of the width, on either side
@@ -48,6 +49,8 @@ bool PostColourEstimator::estimate(YuyvView image, const RoughOutline& outline,
     const int lines = std::min(most_rows, rows);
     for (int i = 0; i < lines; ++i) {
         const int y = outline.first_row + static_cast<int>((2LL * i + 1) * rows / (2LL * lines));
+        const PairRow upper(image.row(y), image.width / 2, response);
+        const PairRow lower(image.row(y + 1), image.width / 2, response);
         const double left = outline.left(y), right = outline.right(y);
         const double inset = margin * (right - left);
         // At least the pair in the middle.
@@ -57,14 +60,14 @@ bool PostColourEstimator::estimate(YuyvView image, const RoughOutline& outline,
         const int step = std::max(1, (last - first + most_across) / most_across);
         for (int pair = first; pair <= last; pair += step) {
             if (pair < 0 || 2 * pair + 1 >= image.width) continue;
-            const PairColour one = pair_colour(image.row(y) + 4 * pair);
-            const PairColour other = pair_colour(image.row(y + 1) + 4 * pair);
+            const PairColour one = upper[pair], other = lower[pair];
             const PairColour mean = 0.5F * (one + other);
             if (mean[0] < darkest) continue;
             samples_.push_back({mean, one - other, mean.tail<2>() / mean[0]});
         }
     }
     colour = {};
+    colour.response = response;
     colour.looked_at = static_cast<int>(samples_.size());
     constexpr std::size_t least_samples = 8;
     if (samples_.size() < least_samples) return false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/imaging/yuyv.h"
+#include "core/refinement/camera_response.h"
 #include "core/refinement/refinement_parameters.h"
 
 #include <vector>
@@ -8,14 +9,6 @@
 #include <Eigen/Core>
 
 namespace goalmouth {
-
-/// Luma and chroma of a pair of pixels: (mean Y, Cb − 128, Cr − 128).
-using PairColour = Eigen::Vector3f;
-
-inline PairColour pair_colour(const std::uint8_t* pair) {
-    return {0.5F * static_cast<float>(pair[0] + pair[2]), static_cast<float>(pair[1]) - 128.0F,
-            static_cast<float>(pair[3]) - 128.0F};
-}
 
 /// Where a post is supposed to be: its edges as straight lines in the picture [px].
 struct RoughOutline {
@@ -41,6 +34,7 @@ struct RoughOutline {
 /// The weights that tell a background at offset e from the post best are w = M·e. Grey posts have d =
 /// (1,0,0): M then leaves chroma alone.
 struct PostColour {
+    CameraResponse response = CameraResponse::linear;  // what pixels are read as, here and compared with it
     PairColour mean = PairColour::Zero();
     Eigen::Vector3f shade = Eigen::Vector3f::UnitX();        // d, first element 1
     Eigen::Matrix3f noise = Eigen::Matrix3f::Identity();     // Σ of a pair
@@ -67,7 +61,7 @@ class PostColourEstimator {
   public:
     /// false where there are too few pixels of one colour.
     bool estimate(YuyvView image, const RoughOutline& outline, const RefinementParameters& parameters,
-                  PostColour& colour);
+                  CameraResponse response, PostColour& colour);
 
   private:
     struct Sample {

@@ -77,8 +77,10 @@ std::optional<PairColour> PostEndFinder::colour_at(double across, double slope, 
     const int row = static_cast<int>(std::lround(pixel->y()));
     if (pair < 1 || 2 * pair + 1 >= image_.width || row < 1 || row + 1 >= image_.height) return std::nullopt;
     PairColour sum = PairColour::Zero();
-    for (int y = row - 1; y <= row + 1; ++y)
-        for (int p = pair - pairs + 1; p <= pair; ++p) sum += pair_colour(image_.row(y) + 4 * p);
+    for (int y = row - 1; y <= row + 1; ++y) {
+        const PairRow colours(image_.row(y), image_.width / 2, colour_.response);
+        for (int p = pair - pairs + 1; p <= pair; ++p) sum += colours[p];
+    }
     return PairColour(sum / (3.0F * static_cast<float>(pairs)));
 }
 
@@ -103,6 +105,7 @@ bool PostEndFinder::gather(double slope, double outwards, double per_px) {
     PixelRays rays(camera_);
     for (int row = static_cast<int>(std::ceil(first_y)); row <= static_cast<int>(last_y); ++row) {
         // Of a leaning post each row holds a part of its own.
+        const PairRow colours(image_.row(row), image_.width / 2, colour_.response);
         const RowRay middle = rays.crossing(post_.right, 0.5 * (first_x + last_x), row);
         if (!std::isfinite(middle.x)) continue;
         const double reach = most_across * radius_ + std::numbers::sqrt2 * std::max(inner, outer);
@@ -117,8 +120,7 @@ bool PostEndFinder::gather(double slope, double outwards, double per_px) {
             const double here = ray.ray.dot(post_.up) / (level * rim(across));
             const double way = outwards * (here - slope) / per_px;
             if (way < -inner || way > outer) continue;
-            samples_.push_back(
-                {way, 0.0, across, row, pair_colour(image_.row(row) + 4 * pair) - colour_.mean});
+            samples_.push_back({way, 0.0, across, row, colours[pair] - colour_.mean});
         }
     }
     return true;

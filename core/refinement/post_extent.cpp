@@ -26,11 +26,12 @@ class Follower {
         const int first = static_cast<int>(std::lround(0.5 * (left + inset - 0.5)));
         const int last = static_cast<int>(std::lround(0.5 * (right - inset - 0.5)));
         const int step = std::max(1, (last - first) / 4);
+        const PairRow pairs(image_.row(row), image_.width / 2, colour_.response);
         PairColour sum = PairColour::Zero();
         int count = 0;
         for (int pair = first; pair <= std::max(first, last); pair += step) {
             if (!inside(pair)) continue;
-            sum += pair_colour(image_.row(row) + 4 * pair);
+            sum += pairs[pair];
             ++count;
         }
         if (count == 0) return false;
@@ -50,7 +51,8 @@ class Follower {
     bool differs(int row, double x) const {
         const int pair = static_cast<int>(std::lround(0.5 * (x - 0.5)));
         return inside(pair) &&
-               colour_.difference(pair_colour(image_.row(row) + 4 * pair)) > 2.0F * alike_ * colour_.spread;
+               colour_.difference(PairRow(image_.row(row), image_.width / 2, colour_.response)[pair]) >
+                   2.0F * alike_ * colour_.spread;
     }
 
     YuyvView image_;

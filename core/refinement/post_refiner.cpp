@@ -3,6 +3,7 @@
 #include "core/refinement/fit_quality.h"
 #include "core/refinement/post_extent.h"
 #include "core/refinement/refined_measurement.h"
+#include "core/refinement/response_evidence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,24 +94,47 @@ PostRefiner::Vertical PostRefiner::vertical(const std::optional<CameraPose>& pos
     return result;
 }
 
-const char* PostRefiner::refine_one(YuyvView image, const Intrinsics& camera, const Vertical& vertical,
-                                    RefinedPost& refined) {
+PostRefiner::Start PostRefiner::start(YuyvView image, const Intrinsics& camera, const Vertical& vertical,
+                                      const Post& post, CameraResponse response) {
+    Start found;
+    found.problem = [&]() -> const char* {
+        if (post.has(post_flag::fills_image)) return "it fills the picture: no edge in sight";
+        const auto outline = rough_outline(post, image);
+        if (!outline) return "its corners outline nothing in the picture";
+        found.outline = *outline;
+        const double width = outline->width();
+        if (!(width >= parameters_.least_width)) return "too narrow";
+        if (!colours_.estimate(image, *outline, parameters_, response, found.colour))
+            return "no colour of its own";
+        CoarseSearch search;
+        search.tolerance =
+            std::max(parameters_.start_tolerance * width, parameters_.start_floor * image.width);
+        search.least_contrast = static_cast<float>(parameters_.least_contrast);
+        search.up = vertical.up;
+        search.lean_sigma = std::sqrt(vertical.covariance.trace() / 3.0);
+        found.edges = coarse_.find(image, *outline, found.colour, camera, search);
+        return "";
+    }();
+    return found;
+}
+
+CameraResponse PostRefiner::response_of(YuyvView image, const Intrinsics& camera) const {
+    if (parameters_.response != "auto")
+        return parameters_.response == "srgb" ? CameraResponse::srgb : CameraResponse::linear;
+    ResponseEvidence evidence;
+    for (const Start& start : starts_)
+        if (start.problem.empty())
+            evidence += response_evidence(image, start.outline, start.colour, camera, start.edges);
+    return evidence.response();
+}
+
+std::string PostRefiner::measure(YuyvView image, const Intrinsics& camera, const Vertical& vertical,
+                                 const Start& found, RefinedPost& refined) {
+    if (!found.problem.empty()) return found.problem;
     Post& post = refined.post;
-    if (post.has(post_flag::fills_image)) return "it fills the picture: no edge in sight";
-    const auto outline = rough_outline(post, image);
-    if (!outline) return "its corners outline nothing in the picture";
-    const double width = outline->width();
-    if (!(width >= parameters_.least_width)) return "too narrow";
-
-    PostColour colour;
-    if (!colours_.estimate(image, *outline, parameters_, colour)) return "no colour of its own";
-
-    CoarseSearch search;
-    search.tolerance = std::max(parameters_.start_tolerance * width, parameters_.start_floor * image.width);
-    search.least_contrast = static_cast<float>(parameters_.least_contrast);
-    search.up = vertical.up;
-    search.lean_sigma = std::sqrt(vertical.covariance.trace() / 3.0);
-    const CoarseEdgeFinder::Edges coarse = coarse_.find(image, *outline, colour, camera, search);
+    const RoughOutline& outline = found.outline;
+    const PostColour& colour = found.colour;
+    const CoarseEdgeFinder::Edges& coarse = found.edges;
     std::array<bool, 2> edges = {coarse[0] && !post.has(post_flag::left_edge_missing),
                                  coarse[1] && !post.has(post_flag::right_edge_missing)};
     if (!edges[0] && !edges[1]) return "no edge in its pixels";
@@ -125,7 +149,7 @@ const char* PostRefiner::refine_one(YuyvView image, const Intrinsics& camera, co
         const OutlineSide side = edges[0] ? OutlineSide::left : OutlineSide::right;
         // Of a post that the picture's border cuts more is hidden than an outline shows.
         const bool cut = post.has(post_flag::cut_left | post_flag::cut_right);
-        const double half_angle = (cut ? 1.5 : 1.0) * rough_half_angle(*outline, camera);
+        const double half_angle = (cut ? 1.5 : 1.0) * rough_half_angle(outline, camera);
         constexpr double least_sigma = 0.02;  // rad; a post half a metre away: 0.1, six metres: 0.008
         start = silhouette_from(coarse[edges[0] ? 0 : 1]->plane, side, vertical.up, half_angle);
         prior.half_angle = half_angle;
@@ -139,7 +163,7 @@ const char* PostRefiner::refine_one(YuyvView image, const Intrinsics& camera, co
     prior.roll_sigma = std::hypot(
         shutter_slant, std::sqrt(std::max(0.0, start.right.dot(vertical.covariance * start.right))));
 
-    const PostExtent extent = find_extent(image, start, colour, camera, *outline);
+    const PostExtent extent = find_extent(image, start, colour, camera, outline);
     if (extent.last_edge_row - extent.first_edge_row + 1 < least_rows) return "too few rows of its colour";
     const RowLayout layout = layout_rows(extent.first_edge_row, extent.last_edge_row, parameters_.most_rows);
     const SilhouetteFit fit =
@@ -176,10 +200,6 @@ const char* PostRefiner::refine_one(YuyvView image, const Intrinsics& camera, co
     const CombinedDistance all =
         combine_distances(by_width, fit.post, ends, vertical.camera, prior.lean_sigma, field_, parameters_);
     refined.cues = all.cues;
-    // A half where the height is off by all that cue_gate allows.
-    if (all.disagreement > 0.0)
-        refined.quality = std::min(refined.quality, 0.5 * parameters_.cue_gate / all.disagreement);
-    if (refined.quality < parameters_.least_quality) return "its width and its height disagree";
     post.distance_m = all.estimate.distance;
     post.bearing_rad = all.estimate.bearing;
     post.covariance = all.estimate.covariance();
@@ -208,14 +228,21 @@ const std::vector<RefinedPost>& PostRefiner::refine(YuyvView image, const std::v
     refined_.clear();
     measured_.clear();
     measured_of_.clear();
+    starts_.clear();
     const Vertical up = vertical(pose);
-    for (const Post& post : posts) {
+    if (!image.empty())
+        for (const Post& post : posts)
+            starts_.push_back(start(image, camera, up, post, CameraResponse::linear));
+    if (response_of(image, camera) == CameraResponse::srgb)
+        for (std::size_t i = 0; i < starts_.size(); ++i)
+            starts_[i] = start(image, camera, up, posts[i], CameraResponse::srgb);
+    for (std::size_t i = 0; i < posts.size(); ++i) {
         RefinedPost& refined = refined_.emplace_back();
-        refined.post = post;
+        refined.post = posts[i];
         refined.post.flags &= ~post_flag::refined;  // of an earlier time
-        refined.reason = image.empty() ? "no picture" : refine_one(image, camera, up, refined);
+        refined.reason = image.empty() ? "no picture" : measure(image, camera, up, starts_[i], refined);
         if (!refined.reason.empty()) {
-            refined.post = post;
+            refined.post = posts[i];
             refined.post.flags &= ~post_flag::refined;
             refined.left.reset();
             refined.right.reset();

@@ -14,14 +14,16 @@
 #include "core/refinement/silhouette_fit.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace goalmouth {
 
 /// Measures posts that a detector found to a fraction of a pixel, in the frame they were found in.
 ///
-/// For each post: its colour (post_colour.h), its edges to half a pixel wherever they lie near the detector's
-/// (coarse_edges.h), the rows it can be seen in (post_extent.h), the two planes that touch it
+/// For each post: its colour (post_colour.h), what the camera makes of light (camera_response.h; asked of all
+/// posts of a picture together, response_evidence.h), its edges to half a pixel wherever they lie near the
+/// detector's (coarse_edges.h), the rows it can be seen in (post_extent.h), the two planes that touch it
 /// (silhouette_fit.h), distance and bearing with covariance (refined_measurement.h).
 class PostRefiner {
   public:
@@ -41,9 +43,20 @@ class PostRefiner {
     };
 
     Vertical vertical(const std::optional<CameraPose>& pose) const;
+    /// What is found out of a post before its pixels are fitted.
+    struct Start {
+        std::string problem;  // why there is none
+        RoughOutline outline;
+        PostColour colour;
+        CoarseEdgeFinder::Edges edges;
+    };
+
+    Start start(YuyvView image, const Intrinsics& camera, const Vertical& vertical, const Post& post,
+                CameraResponse response);
+    CameraResponse response_of(YuyvView image, const Intrinsics& camera) const;  // by starts_ in levels
     /// "" where it was refined, else why not.
-    const char* refine_one(YuyvView image, const Intrinsics& camera, const Vertical& vertical,
-                           RefinedPost& refined);
+    std::string measure(YuyvView image, const Intrinsics& camera, const Vertical& vertical,
+                        const Start& found, RefinedPost& refined);
     void use_goals(const Vertical& vertical);
 
     RefinementParameters parameters_;
@@ -51,6 +64,7 @@ class PostRefiner {
     PostColourEstimator colours_;
     CoarseEdgeFinder coarse_;
     SilhouetteFitter fitter_;
+    std::vector<Start> starts_;
     std::vector<RefinedPost> refined_;
     std::vector<GoalPairPost> measured_;    // of these, which have both edges
     std::vector<std::size_t> measured_of_;  // which

@@ -2,6 +2,8 @@
 
 #include "core/parameters/parameters.h"
 
+#include <string>
+
 namespace goalmouth {
 
 struct RefinementParameters {
@@ -11,6 +13,7 @@ struct RefinementParameters {
     double start_floor = 0.0075;
     double least_width = 2.5;
     double least_contrast = 3.0;
+    std::string response = "auto";
     double black_level = 0.0;
     double level_sigma = 0.26;
     double tilt_floor = 0.002;
@@ -38,6 +41,10 @@ void describe_parameters(Visitor& v, RefinementParameters& p) {
     v("least_contrast", p.least_contrast, Range{0, 100}, "1",
       "an edge is looked for where the background differs from the post by this many sigmas of a pixel's "
       "noise, shading left out");
+    v("response", p.response, Choice{"auto", "linear", "srgb"},
+      "what the camera makes of light: levels in proportion to it, levels as screens expect them (most "
+      "cameras), or "
+      "as the colours between each picture's posts and background show beyond doubt, else linear");
     v("black_level", p.black_level, Range{0, 64}, "1",
       "luma of black: 0 in full range, 16 in limited range video; matters for posts too evenly lit to show "
       "it");
@@ -59,8 +66,7 @@ void describe_parameters(Visitor& v, RefinementParameters& p) {
     v("end_floor", p.end_floor, Range{0, 5}, "px",
       "sigma of a post's base and top that does not shrink with more pixels (pile of a carpet, edge model)");
     v("cue_gate", p.cue_gate, Range{1, 100}, "1",
-      "sigmas by which another cue may be off the width's distance to count; a post of which the height is "
-      "farther off has a quality of less than a half");
+      "sigmas by which another cue may be off the width's distance to count");
 }
 
 }  // namespace goalmouth

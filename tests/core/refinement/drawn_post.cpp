@@ -34,6 +34,12 @@ double share_inside(double value, double reach) {
     return std::clamp(value / std::max(std::abs(reach), 1e-12) + 0.5, 0.0, 1.0);
 }
 
+/// IEC 61966-2-1.
+double level_of(double light) {
+    const double l = std::clamp(light / 255.0, 0.0, 1.0);
+    return 255.0 * (l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1.0 / 2.4) - 0.055);
+}
+
 std::uint8_t byte(double value) {
     return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
 }
@@ -115,6 +121,7 @@ YuyvImage DrawnPost::draw() const {
             double cb = 0.0, cr = 0.0;
             for (std::size_t k = 0; k < 2; ++k) {
                 Levels p = pixels[y * width + std::min(x + k, width - 1)];
+                if (coded) p = p.unaryExpr(&level_of);
                 for (int c = 0; c < 3; ++c) p[c] = std::clamp(p[c] + noise * random.normal(), 0.0, 255.0);
                 const double luma = p.dot(Levels(0.299, 0.587, 0.114));
                 out[2 * x + 2 * k] = byte(luma + black);

@@ -30,6 +30,7 @@ struct DrawnPost {
     double blur = 0.85;  // px
     double noise = 3.0;  // of each channel
     double black = 0.0;  // added to luma
+    bool coded = false;  // pixels are light, which levels code as screens expect it (sRGB)
     std::uint64_t seed = 1;
     /// What stands behind at a pixel, and what before it; nothing: grey, and nothing.
     std::function<Levels(double x, double y)> behind;

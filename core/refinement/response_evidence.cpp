@@ -1,0 +1,157 @@
+#include "core/refinement/response_evidence.h"
+
+#include "core/refinement/pixel_rays.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+namespace goalmouth {
+namespace {
+
+constexpr int most_rows = 96;
+constexpr double clear = 3.5, reach = 7.5;  // px beside an edge: one colour there, its blur is over
+constexpr double mixed = 2.5;               // px beside an edge: both colours
+
+using Complement = Eigen::Matrix<float, 2, 3>;
+
+/// S with SᵀS = M: what tells post from background, in sigmas of a pair's noise.
+Complement complement_of(const Eigen::Matrix3f& contrast) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> eigen(contrast);  // ascending; the shading's is 0
+    Complement s;
+    for (int i = 0; i < 2; ++i)
+        s.row(i) = std::sqrt(std::max(0.0F, eigen.eigenvalues()[i + 1])) *
+                   eigen.eigenvectors().col(i + 1).transpose();
+    return s;
+}
+
+/// A colour that some pairs share.
+struct Strip {
+    PairColour sum = PairColour::Zero();
+    int pairs = 0;
+
+    void add(const PairColour& colour) {
+        sum += colour;
+        ++pairs;
+    }
+    PairColour mean() const { return sum / static_cast<float>(pairs); }
+};
+
+class Bow {
+  public:
+    explicit Bow(const PostColour& colour) : colour_(colour), complement_(complement_of(colour.contrast)) {}
+
+    /// One row of an edge at `edge` [px]; `inside`: px to the post's middle.
+    void add(const PairRow& row, int pairs, double edge, double outwards, double inside,
+             BowEvidence& evidence) {
+        Strip inner, outer;
+        const int middle = static_cast<int>(std::floor(0.5 * edge));
+        constexpr int around = 5;  // pairs
+        for (int pair = std::max(0, middle - around); pair <= std::min(pairs - 1, middle + around); ++pair) {
+            const double x = outwards * (2.0 * pair + 0.5 - edge);
+            if (x >= clear && x <= reach) outer.add(row[pair]);
+            if (-x >= std::min(clear, inside) && -x <= std::min(reach, inside + 1.0)) inner.add(row[pair]);
+        }
+        if (outer.pairs == 0) return;
+        const PairColour post = inner.pairs > 0 ? inner.mean() : colour_.mean, background = outer.mean();
+        const Eigen::Vector2f way = complement_ * (background - post);
+        const float length = way.norm();
+        constexpr float least_contrast = 6.0F;
+        if (!(length > least_contrast)) return;
+        const Eigen::Vector2f along = way / length, across(-along.y(), along.x());
+        const PairColour half = 0.5F * (post + background);
+        const PairColour light = 0.5F * (light_of_level(post) + light_of_level(background));
+        const float bow = across.dot(complement_ * (level_of_light(light) - half));
+        double pull = 0.0, information = 0.0;
+        for (int pair = std::max(0, middle - around); pair <= std::min(pairs - 1, middle + around); ++pair) {
+            if (std::abs(2.0 * pair + 0.5 - edge) > mixed) continue;
+            const Eigen::Vector2f at = complement_ * (row[pair] - post);
+            const float share = at.dot(along) / length;
+            if (!(share > 0.1F && share < 0.9F)) continue;
+            const float expected = 4.0F * share * (1.0F - share) * bow;
+            // A third colour in between is neither.
+            const float measured = at.dot(across);
+            const float most = 6.0F + 2.0F * std::abs(bow);
+            if (std::abs(measured) > most) continue;
+            pull += static_cast<double>(measured * expected);
+            information += static_cast<double>(expected * expected);
+        }
+        evidence.add(pull, information);
+    }
+
+  private:
+    const PostColour& colour_;
+    Complement complement_;
+};
+
+}  // namespace
+
+void BowEvidence::add(double pull, double information) {
+    pull_ += pull;
+    information_ += information;
+    pull_square_ += pull * pull;
+    pull_information_ += pull * information;
+    information_square_ += information * information;
+}
+
+BowEvidence& BowEvidence::operator+=(const BowEvidence& other) {
+    pull_ += other.pull_;
+    information_ += other.information_;
+    pull_square_ += other.pull_square_;
+    pull_information_ += other.pull_information_;
+    information_square_ += other.information_square_;
+    return *this;
+}
+
+double BowEvidence::share() const {
+    return information_ > 0.0 ? pull_ / information_ : 0.0;
+}
+
+double BowEvidence::sigma() const {
+    // What rows leave of pull = share · information, squared and summed.
+    const double rest =
+        pull_square_ - 2.0 * share() * pull_information_ + share() * share() * information_square_;
+    return information_ > 0.0 ? std::sqrt(std::max(0.0, rest)) / information_ : 0.0;
+}
+
+bool BowEvidence::there(double sigmas) const {
+    constexpr double least = 0.5, most = 1.5;
+    return information_ > 0.0 && share() > least && share() < most && share() > sigmas * sigma();
+}
+
+ResponseEvidence& ResponseEvidence::operator+=(const ResponseEvidence& other) {
+    for (std::size_t i = 0; i < sides_.size(); ++i) sides_[i] += other.sides_[i];
+    return *this;
+}
+
+CameraResponse ResponseEvidence::response() const {
+    BowEvidence both = sides_[0];
+    both += sides_[1];
+    constexpr double beyond_doubt = 6.0, likely = 3.0;  // sigmas
+    const bool there = both.there(beyond_doubt) && sides_[0].there(likely) && sides_[1].there(likely);
+    return there ? CameraResponse::srgb : CameraResponse::linear;
+}
+
+ResponseEvidence response_evidence(YuyvView image, const RoughOutline& outline, const PostColour& colour,
+                                   const Intrinsics& camera, const CoarseEdgeFinder::Edges& edges) {
+    Bow bow(colour);
+    ResponseEvidence evidence;
+    PixelRays rays(camera);
+    const int rows = outline.last_row - outline.first_row + 1;
+    const int lines = std::min(most_rows, rows);
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (!edges[side]) continue;
+        for (int i = 0; i < lines; ++i) {
+            const int y = outline.first_row + static_cast<int>((2LL * i + 1) * rows / (2LL * lines));
+            const double guess = side == 0 ? outline.left(y) : outline.right(y);
+            const double edge = rays.crossing(edges[side]->plane, guess, y).x;
+            if (!(edge > 0.0 && edge < image.width)) continue;
+            bow.add(PairRow(image.row(y), image.width / 2, CameraResponse::linear), image.width / 2, edge,
+                    side == 0 ? -1.0 : 1.0, 0.5 * (outline.right(y) - outline.left(y)), evidence.side(side));
+        }
+    }
+    return evidence;
+}
+
+}  // namespace goalmouth
