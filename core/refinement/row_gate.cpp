@@ -8,8 +8,10 @@ namespace {
 
 constexpr double most_noise = 25.0;  // times the colours' own variance: blocks of a compressed picture
 constexpr double brightest_edge = -0.05,
-                 darkest_edge = 0.25;  // px of black, as light from anywhere shades a cylinder
-constexpr double tukey = 6.0;          // sigmas; 98 % efficient where nothing is wrong
+                 darkest_edge = 0.25;       // px of black, as light from anywhere shades a cylinder
+constexpr double third_of_normal = 0.4307;  // a third of all deviates are smaller
+constexpr double worse = 2.5;               // than the better edge: no camera's doing
+constexpr double tukey = 6.0;               // sigmas; 98 % efficient where nothing is wrong
 
 /// χ²/n of n degrees of freedom that a normal deviate of `sigmas` stands for (Wilson and Hilferty, 1931).
 double mean_square(double n, double sigmas) {
@@ -110,9 +112,41 @@ RowGate::Noise RowGate::noise_of(const std::array<std::vector<EdgeRow>, 2>& rows
     }
     // Pixels worse than the colours' own noise by what both edges show are the camera's doing (compression,
     // sharpening); by more, the background's.
-    constexpr double worse = 2.5;
     for (double& n : noise) n = std::min(n, worse * std::max(1.0, least));
     return noise;
+}
+
+std::array<double, 2> RowGate::shading_of(const std::array<std::vector<EdgeRow>, 2>& rows) {
+    std::array<double, 2> shading{};
+    for (std::size_t side = 0; side < 2; ++side) {
+        sorted_.clear();
+        for (const EdgeRow& row : rows[side])
+            if (told(row)) sorted_.push_back(row.dark);
+        shading[side] = static_cast<double>(third_of(sorted_));
+    }
+    // A post's shading is the same all along it, and loses no more than a few tenths of the last px's light.
+    // Beyond that what both edges show is the camera's: a halo where it is alike, colour beside brightness
+    // where it is opposite. What one of them alone does is a thing behind it.
+    const double both = std::min(std::abs(shading[0]), std::abs(shading[1]));
+    for (double& s : shading)
+        s = std::clamp(s, std::min(brightest_edge, -both), std::max(darkest_edge, both));
+    return shading;
+}
+
+std::array<double, 2> RowGate::scatter_of(const std::array<std::vector<EdgeRow>, 2>& rows,
+                                          const std::array<double, 2>& shading) {
+    std::array<double, 2> scatter{};
+    for (std::size_t side = 0; side < 2; ++side) {
+        sorted_.clear();
+        for (std::size_t i = 0; i < rows[side].size(); ++i)
+            if (told(rows[side][i]))
+                sorted_.push_back(
+                    static_cast<float>(std::abs(local_mean(rows[side], i, &EdgeRow::dark) - shading[side])));
+        scatter[side] = static_cast<double>(third_of(sorted_)) / third_of_normal;
+    }
+    const double least = std::min(scatter[0], scatter[1]);
+    for (double& s : scatter) s = std::min(s, worse * least);
+    return scatter;
 }
 
 void RowGate::weigh(std::array<std::vector<EdgeRow>, 2>& rows, std::array<double, 2>& noise,
@@ -132,6 +166,12 @@ void RowGate::weigh(std::array<std::vector<EdgeRow>, 2>& rows, std::array<double
     Noise stray_noise = {1.0, 1.0};
     if (gate) stray_noise = noise_of(rows, &EdgeRow::stray);
 
+    std::array<double, 2> shading{}, scatter{};
+    if (gate) {
+        shading = shading_of(rows);
+        scatter = scatter_of(rows, shading);
+    }
+
     sorted_.clear();
     for (const auto& side_rows : rows)
         for (const EdgeRow& row : side_rows)
@@ -139,7 +179,6 @@ void RowGate::weigh(std::array<std::vector<EdgeRow>, 2>& rows, std::array<double
                 sorted_.push_back(
                     static_cast<float>(std::abs(static_cast<double>(row.offset)) / sigma_of(row)));
     // A third here as well: of a scatter of two kinds it tells the narrower one.
-    constexpr double third_of_normal = 0.4307;
     const double spread = std::max(1.0, static_cast<double>(third_of(sorted_)) / third_of_normal);
     for (std::size_t side = 0; side < 2; ++side) {
         std::vector<EdgeRow>& all = rows[side];
@@ -155,15 +194,6 @@ void RowGate::weigh(std::array<std::vector<EdgeRow>, 2>& rows, std::array<double
             return std::max((local - local_usual) / (local_most - local_usual),
                             (own - own_usual) / (own_most - own_usual));
         };
-        // A post's shading is the same all along it, and loses no more than a few tenths of the last px's
-        // light.
-        double shading = 0.0;
-        if (gate) {
-            sorted_.clear();
-            for (const EdgeRow& row : all)
-                if (told(row)) sorted_.push_back(row.dark);
-            shading = std::clamp(static_cast<double>(third_of(sorted_)), brightest_edge, darkest_edge);
-        }
         for (std::size_t i = 0; i < all.size(); ++i) {
             EdgeRow& row = all[i];
             row.weight = 0.0F;
@@ -172,8 +202,10 @@ void RowGate::weigh(std::array<std::vector<EdgeRow>, 2>& rows, std::array<double
             double clean = 1.0;
             if (gate) {
                 constexpr double other = 0.2, quite_other = 0.45;  // px
-                const double apart = std::abs(local_mean(all, i, &EdgeRow::dark) - shading);
-                const double dark = (apart - other) / (quite_other - other);
+                const double apart = std::abs(local_mean(all, i, &EdgeRow::dark) - shading[side]);
+                const double usual = std::max(other, 2.0 * scatter[side]);
+                const double most = std::max(quite_other, 4.5 * scatter[side]);
+                const double dark = (apart - usual) / (most - usual);
                 const double worst = std::max({0.0, dark, unlike(i, &EdgeRow::misfit, noise[side]),
                                                unlike(i, &EdgeRow::stray, stray_noise[side])});
                 clean = std::max(0.0, 1.0 - worst * worst);

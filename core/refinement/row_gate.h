@@ -27,6 +27,13 @@ class RowGate {
     /// Variance of the values that `part`, a row's misfit or stray, shows on either side.
     Noise noise_of(const std::array<std::vector<EdgeRow>, 2>& rows, float EdgeRow::*part);
 
+    /// Light missing inside either edge, as a post's shading and the camera explain it [px of black].
+    std::array<double, 2> shading_of(const std::array<std::vector<EdgeRow>, 2>& rows);
+
+    /// Sigma of that from row to row.
+    std::array<double, 2> scatter_of(const std::array<std::vector<EdgeRow>, 2>& rows,
+                                     const std::array<double, 2>& shading);
+
     std::vector<float> sorted_;
     std::array<double, 2> freedom_ = {1.0, 1.0};  // of a row's misfit, on either side, on average
 };

@@ -32,6 +32,23 @@ double roll_from(const Eigen::Vector3d& up, const PostSilhouette& post) {
 /// off by more than this many of its sigmas.
 constexpr double steepest = 3.0;
 
+/// The step that information and pull ask for, but for a lean that no more than turns a little: of a narrow
+/// post edges hardly tell it, and far off it means nothing.
+SilhouetteStep step_of(const Eigen::Matrix4d& information, const SilhouetteStep& pull) {
+    constexpr double most = 0.15;  // rad
+    using silhouette_part::lean;
+    SilhouetteStep step = information.ldlt().solve(pull);
+    if (!(std::abs(step[lean]) > most)) return step;
+    const double turn = std::copysign(most, step[lean]);
+    Eigen::Matrix4d others = information;
+    others.row(lean).setZero();
+    others.col(lean).setZero();
+    others(lean, lean) = 1.0;
+    SilhouetteStep rest = pull - turn * information.col(lean);
+    rest[lean] = turn;
+    return others.ldlt().solve(rest);
+}
+
 PostSilhouette upright(const PostSilhouette& post, const SilhouettePrior& prior) {
     SilhouetteStep back = SilhouetteStep::Zero();
     const double lean = lean_from(prior.up, post), roll = roll_from(prior.up, post);
@@ -116,8 +133,8 @@ void SilhouetteFitter::fit_blur(SilhouetteFit& state, BlurEvidence& evidence) {
     evidence.pull[1] -= (state.digital - 0.5) / (share_sigma * share_sigma);
     const Eigen::Vector2d change = information.ldlt().solve(evidence.pull);
     if (!change.allFinite()) return;
-    state.blur = std::clamp(state.blur + std::clamp(change[0], -0.3 * state.blur, 0.4 * state.blur),
-                            narrowest_blur, widest_blur);
+    state.blur = std::clamp(state.blur + std::clamp(change[0], -0.3 * state.blur, state.blur), narrowest_blur,
+                            widest_blur);
     state.digital = std::clamp(state.digital + change[1], 0.0, 1.0);
 }
 
@@ -136,6 +153,7 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
     int readings = 0;
     bool read_anew = true;
     Information information = Information::Zero(), prior_information = Information::Zero();
+    SilhouetteStep pull = SilhouetteStep::Zero(), prior_pull = SilhouetteStep::Zero();
     constexpr double rough = edge_roughness * edge_roughness;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
         for (std::size_t side = 0; side < 2; ++side) planes_[side] = state.post.plane(sides[side]);
@@ -167,7 +185,7 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
         smooth(state);
 
         information.setZero();
-        SilhouetteStep pull = SilhouetteStep::Zero();
+        pull.setZero();
         for (std::size_t side = 0; side < 2; ++side) {
             if (!edges_[side]) continue;
             const Eigen::Matrix<double, 3, 4> change = state.post.plane_change(sides[side]);
@@ -183,20 +201,20 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
             }
         }
         prior_information.setZero();
+        prior_pull.setZero();
         using namespace silhouette_part;
         const double lean_weight = 1.0 / (prior.lean_sigma * prior.lean_sigma);
         prior_information(lean, lean) = lean_weight;
-        pull[lean] -= lean_weight * lean_from(prior.up, state.post);
+        prior_pull[lean] -= lean_weight * lean_from(prior.up, state.post);
         const double roll_weight = 1.0 / (prior.roll_sigma * prior.roll_sigma);
         prior_information(roll, roll) = roll_weight;
-        pull[roll] -= roll_weight * roll_from(prior.up, state.post);
+        prior_pull[roll] -= roll_weight * roll_from(prior.up, state.post);
         if (prior.half_angle_sigma > 0.0) {
             const double weight = 1.0 / (prior.half_angle_sigma * prior.half_angle_sigma);
             prior_information(half_angle, half_angle) = weight;
-            pull[half_angle] += weight * (prior.half_angle - state.post.half_angle);
+            prior_pull[half_angle] += weight * (prior.half_angle - state.post.half_angle);
         }
-        const Eigen::LDLT<Information> solver(information + prior_information);
-        const SilhouetteStep step = solver.solve(pull);
+        const SilhouetteStep step = step_of(information + prior_information, pull + prior_pull);
         if (!step.allFinite() || step.norm() > 0.5) return state;
         state.post = upright(state.post.moved(step), prior);
         ++state.iterations;
@@ -212,7 +230,9 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
         constexpr double still = 0.004;  // px
         const double shift = camera.fx * std::max({std::abs(step[swing]), std::abs(step[half_angle]),
                                                    std::abs(step[roll]) * 0.3});
-        if (iteration >= 3 && shift < still) {
+        // What is still to gain, in units of the whole misfit: a fifth of a sigma.
+        constexpr double little = 0.05;
+        if (iteration >= 3 && (shift < still || (pull + prior_pull).dot(step) < little)) {
             state.converged = true;
             break;
         }
@@ -226,6 +246,9 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
     }
     const double scale = 1.0 / (std::max(state.scatter.variance, 0.5) * state.scatter.correlation);
     state.covariance = (scale * information + prior_information).ldlt().solve(Information::Identity());
+    // Rows that go together say less against what is known before than each on its own.
+    const SilhouetteStep step = state.covariance * (scale * pull + prior_pull);
+    if (step.allFinite() && step.norm() < 0.5) state.post = upright(state.post.moved(step), prior);
     return state;
 }
 
