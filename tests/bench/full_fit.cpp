@@ -57,8 +57,8 @@ Eigen::Vector3d mean_colour(YuyvView image, const Post& post, int first, int las
         const double right = x_on(post.right_top, post.right_base, y);
         const int from = std::max(0, static_cast<int>(0.75 * left + 0.25 * right) / 2);
         const int to = std::min(image.width / 2 - 1, static_cast<int>(0.25 * left + 0.75 * right) / 2);
-        for (int pair = from; pair <= to; ++pair, count += 1.0)
-            sum += pair_colour(image.row(y) + 4 * pair).cast<double>();
+        const PairRow row(image.row(y), image.width / 2, CameraResponse::linear);
+        for (int pair = from; pair <= to; ++pair, count += 1.0) sum += row[pair].cast<double>();
     }
     return count > 0.0 ? Eigen::Vector3d(sum / count) : Eigen::Vector3d::UnitX();
 }
@@ -114,8 +114,9 @@ Pixels gather(YuyvView image, const Intrinsics& camera, const Post& post, int fi
             strip.ray.x = edge;
             strip.ray.ray = ray_through(camera, {edge, y});
             strip.ray.slope = ray_through(camera, {edge + 0.5, y}) - ray_through(camera, {edge - 0.5, y});
+            const PairRow row(image.row(y), image.width / 2, CameraResponse::linear);
             for (int pair = first_pair; pair <= last_pair; ++pair) {
-                const Eigen::Vector3d colour = pair_colour(image.row(y) + 4 * pair).cast<double>();
+                const Eigen::Vector3d colour = row[pair].cast<double>();
                 pixels.values.push_back({directions[0].dot(colour), directions[1].dot(colour)});
             }
             pixels.strips.push_back(strip);
