@@ -29,6 +29,10 @@ float light_of_level(float level) {
     return v * (0.012522878F + v * (0.682171111F + v * 0.305306011F));
 }
 
+float grey_as_read(float level, CameraResponse response) {
+    return response == CameraResponse::srgb ? 255.0F * light_of_level(level / 255.0F) : level;
+}
+
 PairColour light_of_level(const PairColour& level) {
     Eigen::Vector3f rgb = rgb_of(level);
     for (float& c : rgb) c = 255.0F * light_of_level(c / 255.0F);

@@ -25,6 +25,9 @@ enum class CameraResponse : std::uint8_t { linear, srgb };
 /// Light of a level, both 0…1.
 float light_of_level(float level);
 
+/// A grey level as pixels of such a response are read, 0…255.
+float grey_as_read(float level, CameraResponse response);
+
 /// A row of a picture in pairs of pixels, [Y0 Cb Y1 Cr] each.
 ///
 /// A pair's colour is the mean of its pixels' levels or, 0…255 as well, of their light. The pair's one chroma

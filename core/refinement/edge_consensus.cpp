@@ -58,7 +58,7 @@ void EdgeConsensus::split(const std::vector<EdgeRow>& rows, std::vector<Piece>& 
         if (piece.rows > 0.0) {
             piece.place /= weights;
             piece.turn /= weights;
-            piece.variance = spread_ * spread_ / weights;
+            piece.variance = 1.0 / weights;
             pieces.push_back(piece);
         }
         piece = {};
@@ -85,7 +85,7 @@ void EdgeConsensus::split(const std::vector<EdgeRow>& rows, std::vector<Piece>& 
         if (piece.rows > 0.0) {
             // Where the edge jumps something else begins, whatever the background looks like.
             const double jump = static_cast<double>(row.offset) - piece.place / weights;
-            const bool jumps = jump * jump > 16.0 * spread_ * spread_ * (variance + 1.0 / weights);
+            const bool jumps = jump * jump > 16.0 * (variance + 1.0 / weights);
             if (jumps) end_run();
         }
         if (piece.rows >= static_cast<double>(longest_piece)) end_piece();
@@ -112,17 +112,14 @@ double EdgeConsensus::evidence(const std::vector<Piece>& pieces, double place, d
 EdgeConsensus::Result EdgeConsensus::find(std::array<std::vector<EdgeRow>, 2>& rows, double roll,
                                           double sigma) {
     Result result;
-    sorted_.clear();
     double longest = 0.0;
-    for (const auto& side : rows)
-        for (const EdgeRow& row : side) {
-            if (!counts(row)) continue;
-            sorted_.push_back(
-                static_cast<float>(std::abs(static_cast<double>(row.offset)) / std::sqrt(variance_of(row))));
-            longest = std::max(longest, std::abs(static_cast<double>(row.turn)));
+    for (auto& side : rows)
+        for (EdgeRow& row : side) {
+            // What was outvoted before is asked anew.
+            if (row.outvoted) row.outvoted = false, row.weight = row.clean;
+            if (counts(row)) longest = std::max(longest, std::abs(static_cast<double>(row.turn)));
         }
-    if (sorted_.empty() || !(longest > 0.0)) return result;
-    spread_ = 1.0;
+    if (!(longest > 0.0)) return result;
     for (std::size_t side = 0; side < 2; ++side) split(rows[side], pieces_[side]);
 
     const auto agrees = [](const Piece& p) { return p.place * p.place < 9.0 * p.variance; };

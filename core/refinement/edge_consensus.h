@@ -39,7 +39,6 @@ class EdgeConsensus {
 
     std::array<std::vector<Piece>, 2> pieces_;
     std::vector<float> sorted_;
-    double spread_ = 1.0;
 };
 
 }  // namespace goalmouth

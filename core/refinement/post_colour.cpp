@@ -44,6 +44,7 @@ bool PostColourEstimator::estimate(YuyvView image, const RoughOutline& outline,
     constexpr int most_rows = 40;
     constexpr int most_across = 10;
     constexpr double margin = 0.22;  // of the width, on either side
+    const float dark = grey_as_read(darkest, response);
     samples_.clear();
     const int rows = outline.last_row - outline.first_row;  // the last one has no row below
     const int lines = std::min(most_rows, rows);
@@ -62,7 +63,7 @@ bool PostColourEstimator::estimate(YuyvView image, const RoughOutline& outline,
             if (pair < 0 || 2 * pair + 1 >= image.width) continue;
             const PairColour one = upper[pair], other = lower[pair];
             const PairColour mean = 0.5F * (one + other);
-            if (mean[0] < darkest) continue;
+            if (mean[0] < dark) continue;
             samples_.push_back({mean, one - other, mean.tail<2>() / mean[0]});
         }
     }
@@ -121,7 +122,9 @@ bool PostColourEstimator::estimate(YuyvView image, const RoughOutline& outline,
     noise = noise / count + 0.15 * Eigen::Matrix3d::Identity();  // rounding
 
     // Chroma as a line over luma: what the pixels say, noise discounted, with black's place as prior.
-    const double luma = std::max(mean[0] - parameters.black_level, static_cast<double>(darkest));
+    const double black =
+        static_cast<double>(grey_as_read(static_cast<float>(parameters.black_level), response));
+    const double luma = std::max(mean[0] - black, static_cast<double>(dark));
     const Eigen::Vector2d prior_slope = mean.tail<2>() / luma;
     const double variance = covariance(0, 0) - 0.5 * noise(0, 0);
     const Eigen::Vector2d shared = covariance.block<2, 1>(1, 0) - 0.5 * noise.block<2, 1>(1, 0);

@@ -32,7 +32,7 @@ double clear_of(double blur) {
 
 /// Whether two colours are of one hue, `far` apart at most (chroma per luma), and about as bright: the same
 /// surface, in shadow or out of it.
-bool same_surface(const PairColour& a, const PairColour& b, float far) {
+bool same_levels(const PairColour& a, const PairColour& b, float far) {
     constexpr float brightness = 2.0F;
     const float darker = std::max(1.0F, std::min(a[0], b[0]));
     return std::max(a[0], b[0]) < brightness * darker &&
@@ -70,12 +70,19 @@ std::optional<Eigen::Vector2d> PostEndFinder::pixel_at(double across, double slo
     return pixel;
 }
 
+bool PostEndFinder::same_surface(const PairColour& a, const PairColour& b, float far) const {
+    if (colour_.response == CameraResponse::srgb)
+        return same_levels(level_of_light(a), level_of_light(b), far);
+    return same_levels(a, b, far);
+}
+
 std::optional<PairColour> PostEndFinder::colour_at(double across, double slope, int pairs) const {
     const auto pixel = pixel_at(across, slope);
     if (!pixel || !(pixel->cwiseAbs().maxCoeff() < 1e5)) return std::nullopt;
-    const int pair = static_cast<int>(std::lround(0.5 * (pixel->x() - 0.5)));
+    const int pair = static_cast<int>(std::lround(0.5 * (pixel->x() - 0.5) + 0.5 * (pairs - 1)));
     const int row = static_cast<int>(std::lround(pixel->y()));
-    if (pair < 1 || 2 * pair + 1 >= image_.width || row < 1 || row + 1 >= image_.height) return std::nullopt;
+    if (pair - pairs + 1 < 0 || 2 * pair + 1 >= image_.width || row < 1 || row + 1 >= image_.height)
+        return std::nullopt;
     PairColour sum = PairColour::Zero();
     for (int y = row - 1; y <= row + 1; ++y) {
         const PairRow colours(image_.row(y), image_.width / 2, colour_.response);
@@ -98,8 +105,8 @@ bool PostEndFinder::gather(double slope, double outwards, double per_px) {
         }
     }
     constexpr double border = 1.0;  // px
-    first_x = std::max(first_x, border), last_x = std::min(last_x, camera_.width - 1.0 - border);
-    first_y = std::max(first_y, border), last_y = std::min(last_y, camera_.height - 1.0 - border);
+    first_x = std::max(first_x, border), last_x = std::min(last_x, image_.width - 1.0 - border);
+    first_y = std::max(first_y, border), last_y = std::min(last_y, image_.height - 1.0 - border);
     if (!(first_x < last_x) || !(first_y < last_y)) return false;
     constexpr int most_pairs = 14;  // of a row
     PixelRays rays(camera_);
@@ -107,7 +114,7 @@ bool PostEndFinder::gather(double slope, double outwards, double per_px) {
         // Of a leaning post each row holds a part of its own.
         const PairRow colours(image_.row(row), image_.width / 2, colour_.response);
         const RowRay middle = rays.crossing(post_.right, 0.5 * (first_x + last_x), row);
-        if (!std::isfinite(middle.x)) continue;
+        if (!(std::abs(middle.x) < 2.0 * camera_.width)) continue;
         const double reach = most_across * radius_ + std::numbers::sqrt2 * std::max(inner, outer);
         const int from = static_cast<int>(std::ceil(0.5 * (std::max(first_x, middle.x - reach) - 0.5)));
         const int to = static_cast<int>(std::floor(0.5 * (std::min(last_x, middle.x + reach) - 0.5)));
@@ -303,7 +310,8 @@ std::optional<PostEnd> PostEndFinder::base(int row) {
     const auto roughly = find(*slope, -1.0, colour_.contrast);
     if (!roughly) return std::nullopt;
     const auto ground = ground_about(*roughly);
-    if (!ground || (*ground)[0] < darkest || !same_surface(roughly->beyond, *ground, mixed_hue))
+    if (!ground || (*ground)[0] < grey_as_read(darkest, colour_.response) ||
+        !same_surface(roughly->beyond, *ground, mixed_hue))
         return std::nullopt;
     const auto end = find(roughly->slope, -1.0, contrast_matrix(colour_.noise, *ground / (*ground)[0]));
     if (!end || !same_surface(end->beyond, *ground, mixed_hue)) return std::nullopt;
@@ -319,7 +327,8 @@ std::optional<PostEnd> PostEndFinder::top(int row) {
     if (!end || !ends_free(*end)) return std::nullopt;
     // One step between two colours is in one place however they are told apart.
     Eigen::Matrix3f contrast = colour_.noise.inverse();
-    if (end->beyond[0] >= darkest) contrast = contrast_matrix(colour_.noise, end->beyond / end->beyond[0]);
+    if (end->beyond[0] >= grey_as_read(darkest, colour_.response))
+        contrast = contrast_matrix(colour_.noise, end->beyond / end->beyond[0]);
     if (const auto other = find(end->slope, 1.0, contrast)) {
         const double apart = std::abs(other->slope - end->slope) / end->per_px;
         if (apart > 4.0 * std::hypot(end->sigma, other->sigma)) return std::nullopt;

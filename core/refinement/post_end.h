@@ -49,7 +49,8 @@ struct PostEndSearch {
 /// Base  most of the picture below and beside it is of one hue, as the ground is: what stands before a foot
 ///       is of several, and ends;
 /// Top   below it the post is as wide as it is, and on one side the picture goes on from below to above: on
-///       the other may be the crossbar; and another projection of colours finds the step in the same place.
+///       the other may be the crossbar; and another projection of colours, where it finds a step, finds it
+///       in the same place.
 class PostEndFinder {
   public:
     /// All of them have to outlive it.
@@ -86,6 +87,7 @@ class PostEndFinder {
     double rim(double across) const;
     std::optional<Eigen::Vector2d> pixel_at(double across, double slope) const;
     /// Mean of so many pairs, 1 or 2, in three rows.
+    bool same_surface(const PairColour& a, const PairColour& b, float far) const;
     std::optional<PairColour> colour_at(double across, double slope, int pairs = 2) const;
 
     YuyvView image_;

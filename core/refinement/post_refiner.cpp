@@ -11,8 +11,7 @@
 namespace goalmouth {
 namespace {
 
-constexpr int least_rows = 8;              // px
-constexpr double most_off_vertical = 3.0;  // sigmas: 0.3 % of all posts are beyond
+constexpr int least_rows = 8;  // px
 
 double square(double x) {
     return x * x;
@@ -54,18 +53,6 @@ double rough_half_angle(const RoughOutline& outline, const Intrinsics& camera) {
     const double left = std::atan(normalised_from_pixel(camera, {outline.left(row), row}).x());
     const double right = std::atan(normalised_from_pixel(camera, {outline.right(row), row}).x());
     return 0.5 * std::abs(right - left);
-}
-
-/// The edges of an upright post meet where its axis points: how far off the measured vertical that is, along
-/// the line of sight, in sigmas of both. The fit's place holds part of the measured one: this is the least.
-double sigmas_off_vertical(const SilhouetteFit& fit, const SilhouettePrior& prior) {
-    const Eigen::Vector3d up = prior.up - prior.up.dot(fit.post.right) * fit.post.right;
-    const double off = std::atan2(fit.post.up.dot(fit.post.right.cross(up)), fit.post.up.dot(up));
-    using silhouette_part::lean;
-    const double measured = 1.0 / square(prior.lean_sigma);
-    const double by_edges = 1.0 / fit.covariance(lean, lean) - measured;  // information
-    if (!(by_edges > 0.0)) return 0.0;
-    return std::abs(off) / std::sqrt(1.0 / measured + 1.0 / by_edges);
 }
 
 }  // namespace
@@ -181,8 +168,6 @@ std::string PostRefiner::measure(YuyvView image, const Intrinsics& camera, const
     }
     refined.quality = fit_quality(fit, coarse, edges, layout.count);
     if (refined.quality < parameters_.least_quality) return "its pixels fit badly";
-    refined.quality = std::min(refined.quality, 0.5 * most_off_vertical / sigmas_off_vertical(fit, prior));
-    if (refined.quality < parameters_.least_quality) return "its edges run together as no upright post's do";
     if (!edges[0]) post.flags |= post_flag::left_edge_missing;
     if (!edges[1]) post.flags |= post_flag::right_edge_missing;
     const PostEstimate by_width =
@@ -234,6 +219,7 @@ const std::vector<RefinedPost>& PostRefiner::refine(YuyvView image, const std::v
     if (!image.empty())
         for (const Post& post : posts)
             starts_.push_back(start(image, camera, up, post, CameraResponse::linear));
+    // Levels tell whether they are light.
     if (response_of(image, camera) == CameraResponse::srgb)
         for (std::size_t i = 0; i < starts_.size(); ++i)
             starts_[i] = start(image, camera, up, posts[i], CameraResponse::srgb);

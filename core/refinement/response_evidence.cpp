@@ -117,7 +117,10 @@ double BowEvidence::sigma() const {
 
 bool BowEvidence::there(double sigmas) const {
     constexpr double least = 0.5, most = 1.5;
-    return information_ > 0.0 && share() > least && share() < most && share() > sigmas * sigma();
+    if (!(information_ > 0.0)) return false;
+    // Of a few rows the scatter says little: no better than the noise allows.
+    const double sure = std::max(sigma(), 1.0 / std::sqrt(information_));
+    return share() > least && share() < most && share() > sigmas * sure;
 }
 
 ResponseEvidence& ResponseEvidence::operator+=(const ResponseEvidence& other) {

@@ -112,7 +112,7 @@ RowGate::Noise RowGate::noise_of(const std::array<std::vector<EdgeRow>, 2>& rows
     }
     // Pixels worse than the colours' own noise by what both edges show are the camera's doing (compression,
     // sharpening); by more, the background's.
-    for (double& n : noise) n = std::min(n, worse * std::max(1.0, least));
+    for (double& n : noise) n = std::min({n, most_noise, worse * std::max(1.0, least)});
     return noise;
 }
 
@@ -144,8 +144,10 @@ std::array<double, 2> RowGate::scatter_of(const std::array<std::vector<EdgeRow>,
                     static_cast<float>(std::abs(local_mean(rows[side], i, &EdgeRow::dark) - shading[side])));
         scatter[side] = static_cast<double>(third_of(sorted_)) / third_of_normal;
     }
-    const double least = std::min(scatter[0], scatter[1]);
-    for (double& s : scatter) s = std::min(s, worse * least);
+    if (scatter[0] > 0.0 && scatter[1] > 0.0) {
+        const double least = std::min(scatter[0], scatter[1]);
+        for (double& s : scatter) s = std::min(s, worse * least);
+    }
     return scatter;
 }
 

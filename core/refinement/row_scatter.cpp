@@ -28,7 +28,7 @@ RowScatter row_scatter(const std::array<std::vector<EdgeRow>, 2>& rows) {
             total += 1.0;
             for (std::size_t k = 1; k <= together.size() && i + k < rows[side].size(); ++k) {
                 const EdgeRow& other = rows[side][i + k];
-                if (!other.seen || !(other.weight >= 0.5F)) continue;
+                if (!other.seen || !(other.information > 0.0F) || !(other.weight >= 0.5F)) continue;
                 together[k - 1] += s * standardised(other);
                 pairs[k - 1] += 1.0;
             }
@@ -41,7 +41,7 @@ RowScatter row_scatter(const std::array<std::vector<EdgeRow>, 2>& rows) {
     for (std::size_t k = 0; k < together.size(); ++k) {
         if (!(pairs[k] > least)) break;
         const double similar = together[k] / pairs[k] * total / squares;
-        if (similar < 1.6 / std::sqrt(pairs[k])) break;
+        if (!(similar >= 1.6 / std::sqrt(pairs[k]))) break;
         found.correlation += 2.0 * similar;
     }
     return found;

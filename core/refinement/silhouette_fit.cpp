@@ -237,8 +237,6 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
             break;
         }
     }
-    for (std::size_t side = 0; side < 2; ++side) planes_[side] = state.post.plane(sides[side]);
-
     state.scatter = row_scatter(rows_);
     if (!state.scatter.enough) {
         state.converged = false;
@@ -249,6 +247,10 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
     // Rows that go together say less against what is known before than each on its own.
     const SilhouetteStep step = state.covariance * (scale * pull + prior_pull);
     if (step.allFinite() && step.norm() < 0.5) state.post = upright(state.post.moved(step), prior);
+    if (!(state.post.half_angle > 0.0) || state.post.half_angle > 1.2) {
+        state.converged = false;
+        state.covariance.setZero();
+    }
     return state;
 }
 

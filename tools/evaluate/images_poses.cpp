@@ -52,7 +52,10 @@ std::vector<std::string> valid_names() {
 /// The number `text` begins with, which is taken off.
 std::optional<double> take_number(std::string_view& text) {
     std::string_view rest = text;
-    if (!rest.empty() && rest.front() == '+') rest.remove_prefix(1);
+    if (!rest.empty() && rest.front() == '+') {
+        rest.remove_prefix(1);
+        if (!rest.empty() && rest.front() == '-') return std::nullopt;
+    }
     double number = 0.0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
     if (error != std::errc() || !std::isfinite(number)) return std::nullopt;
@@ -139,7 +142,7 @@ std::optional<RobotPlace> PlacePattern::place(const std::string& file) const {
 std::string PlacePattern::example() const {
     std::string name;
     for (const Piece& piece : pieces_) name += piece.literal + (piece.unit == 0.0 ? "a" : "12.5");
-    return name + end_;
+    return name + end_ + ".png";
 }
 
 }  // namespace goalmouth

@@ -29,7 +29,7 @@ class PlacePattern {
     /// Throws ConfigurationError, which says what would be valid.
     explicit PlacePattern(const std::string& text);
 
-    /// `file`: a path or a name. Nothing where it does not fit.
+    /// `file`: a path or a name, with its ending. Nothing where it does not fit.
     std::optional<RobotPlace> place(const std::string& file) const;
     /// A name that fits: "000001_12.5_…".
     std::string example() const;
