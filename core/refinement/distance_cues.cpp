@@ -101,9 +101,6 @@ CombinedDistance combine_distances(const PostEstimate& width, const PostSilhouet
         const DistanceGradient apart = cue.change - width.distance_change;
         const double sigma = std::sqrt(apart * errors * apart.transpose());
         const double off = std::abs(cue.distance - width.distance) / sigma;
-        constexpr double sixth = 1.0 / 6.0;
-        if (off > parameters.cue_gate && std::abs(cue.distance - width.distance) > sixth * cue.distance)
-            result.contradicted = true;
         // First order holds for no farther than this.
         constexpr double straight = 0.3;
         if (!(off <= parameters.cue_gate) || std::sqrt(variance) > straight * cue.distance) continue;

@@ -30,8 +30,6 @@ struct PostEnds {
 struct CombinedDistance {
     std::vector<DistanceCue> cues;  // each on its own, the width's first
     PostEstimate estimate;
-    bool contradicted =
-        false;  // another cue is far off the width's distance: one of its edges is something else's
 };
 
 /// Distances of a post from its ends, and together with that from its width. With r the post's radius, t_b
@@ -48,8 +46,8 @@ struct CombinedDistance {
 /// Cues have errors in common: vertical, focal length, diameter, base point. With distances y, J their
 /// gradient by all errors and S the errors' covariance, Σ = J S Jᵀ, and distance and bearing are the
 /// generalised least squares of (y, β) by Σ: the best that is linear in them. A cue that is more than
-/// `cue_gate` sigmas off the width's distance is told but not combined, for of goals the height in the field
-/// file is more often a tenth wrong than an edge; by more than a sixth it contradicts.
+/// `cue_gate` sigmas off the width's distance is told but not combined: of goals the height in the field
+/// file is more often wrong than an edge.
 CombinedDistance combine_distances(const PostEstimate& width, const PostSilhouette& post,
                                    const PostEnds& ends, const std::optional<CameraStance>& camera,
                                    double lean_sigma, const Field& field,

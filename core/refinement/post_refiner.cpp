@@ -185,7 +185,6 @@ std::string PostRefiner::measure(YuyvView image, const Intrinsics& camera, const
     const CombinedDistance all =
         combine_distances(by_width, fit.post, ends, vertical.camera, prior.lean_sigma, field_, parameters_);
     refined.cues = all.cues;
-    if (all.contradicted) return "its width and its height disagree";
     post.distance_m = all.estimate.distance;
     post.bearing_rad = all.estimate.bearing;
     post.covariance = all.estimate.covariance();
