@@ -49,15 +49,15 @@ bool refines(const GraphProcess& process) {
     return subscribes_type(process, "posts_t") && publishes_type(process, "posts_t");
 }
 
-/// Whether a process looks at pictures beside what others found in them. In a chain all that is known of a
-/// picture comes before that: nothing is to be waited for.
+/// Processes that find or measure posts by more than one channel. In a chain all that is known of a picture
+/// comes before what others found in it: nothing is to be waited for.
 void wait_for_nothing(std::vector<GraphProcess>& stages) {
     constexpr const char* wait = "timing.wait";
     for (GraphProcess& process : stages) {
         const auto& parameters = process.description.parameters;
         const bool waits = std::any_of(parameters.begin(), parameters.end(),
                                        [&](const ParameterInfo& p) { return p.key == wait; });
-        if (refines(process) && waits)
+        if (publishes_type(process, "posts_t") && waits)
             process.settings.push_back({wait, "0", {"one picture after the other", 0}, {}});
     }
 }

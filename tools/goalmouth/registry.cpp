@@ -3,6 +3,7 @@
 #include "modules/camera/camera_module.h"
 #include "modules/detection_histogram/detection_histogram_module.h"
 #include "modules/detection_ransac/detection_ransac_module.h"
+#include "modules/detection_upright/detection_upright_module.h"
 #include "modules/extraction/extraction_module.h"
 #include "modules/localisation/localisation_module.h"
 #include "modules/refinement/refinement_module.h"
@@ -21,6 +22,7 @@ const std::vector<ModuleType>& module_types() {
                                                module_type<ExtractionModule>(),
                                                module_type<RansacDetectionModule>(),
                                                module_type<HistogramDetectionModule>(),
+                                               module_type<UprightDetectionModule>(),
                                                module_type<RefinementModule>(),
                                                module_type<LocalisationModule>(),
                                                module_type<TapModule>()};

@@ -1,0 +1,288 @@
+#include "core/detection/upright_detector.h"
+
+#include "core/geometry/line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+
+namespace goalmouth {
+namespace {
+
+constexpr std::size_t most_peaks = 10;       // of a side, for one roll
+constexpr std::size_t most_hypotheses = 40;  // that are judged
+
+/// Keeps posts from left to right.
+void insert(std::vector<Post>& posts, const Post& post) {
+    const auto behind = std::upper_bound(posts.begin(), posts.end(), post.left_base.x(),
+                                         [](double x, const Post& other) { return x < other.left_base.x(); });
+    posts.insert(behind, post);
+}
+
+}  // namespace
+
+UprightDetector::UprightDetector(const UprightDetectorParameters& parameters, const Field& field)
+    : parameters_(parameters),
+      size_{0.5 * field.post_diameter, field.goal_height + 0.5 * field.post_diameter},
+      judge_(parameters.search, size_) {}
+
+double UprightDetector::promise(const UprightView& view, const UprightEdges& edges, double tolerance) const {
+    const double distance = size_.radius / std::sin(edges.half_angle());
+    const double height = view.height().value_or(0.5 * size_.height);
+    const double slack = 2.0 * view.attitude_sigma() + 0.1 * size_.height / distance;
+    const double top = (size_.height - height) / distance + slack, base = -height / distance - slack;
+    int points = 0;
+    const auto count = [&](const std::vector<UprightPoint>& from, double azimuth) {
+        int n = 0;
+        for (const UprightPoint& p : from)
+            n += p.ray.slope < top && p.ray.slope > base &&
+                 std::abs(p.ray.azimuth - azimuth - edges.roll * p.ray.slope) < tolerance;
+        points += n;
+        return n;
+    };
+    constexpr int least = 3;
+    if (count(seen_.left, edges.left) < least || count(seen_.right, edges.right) < least) return 0.0;
+    // Of the rows it would be seen in were all of it in the picture, some are reason enough.
+    const double rows = size_.height / distance * view_scale_ / row_step_;
+    constexpr double usual = 0.4;
+    return points - usual * rows;
+}
+
+void UprightDetector::suggest(const UprightView& view, double tolerance) {
+    hypotheses_.clear();
+    const auto& search = parameters_.search;
+    double steepest = 0.0;
+    for (const auto* points : {&seen_.left, &seen_.right})
+        for (const UprightPoint& p : *points) steepest = std::max(steepest, std::abs(p.ray.slope));
+    constexpr double sigmas = 3.0, most_roll = 0.7;  // rad
+    const double reach = std::min(sigmas * roll_sigma_, most_roll);
+    const double step = std::max(2.0 * tolerance / std::max(steepest, 0.1), 0.002);
+    const int steps = static_cast<int>(std::ceil(reach / step));
+    const double narrowest = 2.0 * std::asin(std::min(1.0, size_.radius / search.farthest));
+    const double widest = 2.0 * std::asin(std::min(1.0, size_.radius / search.nearest));
+    constexpr int least_points = 3;
+    for (int i = -steps; i <= steps; ++i) {
+        const double roll = i * step;
+        votes_.find(seen_.left, roll, tolerance, least_points, most_peaks, left_);
+        votes_.find(seen_.right, roll, tolerance, least_points, most_peaks, right_);
+        for (const AzimuthPeak& left : left_) {
+            for (const AzimuthPeak& right : right_) {
+                const double width = right.azimuth - left.azimuth;
+                if (width < narrowest || width > widest) continue;
+                Hypothesis next{{left.azimuth, right.azimuth, roll}, 0.0};
+                next.promise = promise(view, next.edges, 1.5 * tolerance) -
+                               0.5 * (roll / roll_sigma_) * (roll / roll_sigma_);
+                if (next.promise > -2.0) hypotheses_.push_back(next);
+            }
+        }
+    }
+    std::stable_sort(hypotheses_.begin(), hypotheses_.end(),
+                     [](const Hypothesis& a, const Hypothesis& b) { return a.promise > b.promise; });
+    // Of those with the same edges the best.
+    std::size_t kept = 0;
+    for (const Hypothesis& next : hypotheses_) {
+        if (kept >= most_hypotheses) break;
+        const bool known =
+            std::any_of(hypotheses_.begin(), hypotheses_.begin() + static_cast<std::ptrdiff_t>(kept),
+                        [&](const Hypothesis& h) {
+                            return std::abs(h.edges.left - next.edges.left) < 2.0 * tolerance &&
+                                   std::abs(h.edges.right - next.edges.right) < 2.0 * tolerance;
+                        });
+        if (!known) hypotheses_[kept++] = next;
+    }
+    hypotheses_.resize(kept);
+}
+
+UprightEdges UprightDetector::fitted(const UprightView& view, const UprightEdges& start,
+                                     double tolerance) const {
+    UprightEdges edges = start;
+    const double height = view.height().value_or(0.5 * size_.height);
+    for (const double near : {2.0 * tolerance, 1.3 * tolerance, tolerance}) {
+        const double distance = size_.radius / std::sin(edges.half_angle());
+        const double slack = 2.0 * view.attitude_sigma() + 0.1 * size_.height / distance;
+        const double top = (size_.height - height) / distance + slack, base = -height / distance - slack;
+        Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // left, right, roll
+        Eigen::Vector3d pull = Eigen::Vector3d::Zero();
+        const auto add = [&](const std::vector<UprightPoint>& points, double azimuth, int part) {
+            for (const UprightPoint& p : points) {
+                if (!(p.ray.slope < top && p.ray.slope > base)) continue;
+                const double miss = p.ray.azimuth - azimuth - edges.roll * p.ray.slope;
+                if (std::abs(miss) > near) continue;
+                Eigen::Vector3d j(0.0, 0.0, p.ray.slope);
+                j[part] = 1.0;
+                information += j * j.transpose();
+                pull += miss * j;
+            }
+        };
+        add(seen_.left, edges.left, 0);
+        add(seen_.right, edges.right, 1);
+        if (!(information(0, 0) > 0.0) || !(information(1, 1) > 0.0)) return start;
+        const double prior = tolerance * tolerance / (4.0 * roll_sigma_ * roll_sigma_);
+        information(2, 2) += prior;
+        pull[2] -= prior * edges.roll;
+        const Eigen::Vector3d step = information.ldlt().solve(pull);
+        if (!step.allFinite()) return start;
+        edges.left += step[0];
+        edges.right += step[1];
+        edges.roll += step[2];
+        if (!(edges.half_angle() > 0.0)) return start;
+    }
+    return edges;
+}
+
+bool UprightDetector::passes(const UprightEvidence& evidence) const {
+    const auto& search = parameters_.search;
+    constexpr int least_edge_rows = 3;
+    const double edge = std::max<double>(least_edge_rows, search.least_edge * evidence.rows);
+    return evidence.covered_rows >= search.least_rows &&
+           evidence.covered_rows >= search.least_cover * evidence.rows && evidence.left_rows >= edge &&
+           evidence.right_rows >= edge && evidence.score >= search.least_score * evidence.rows;
+}
+
+/// Two posts of one picture: neither in one place nor at odds about the vertical.
+bool UprightDetector::go_together(const Found& taken, const Found& next, double tolerance) const {
+    const double turn = std::sin(std::abs(taken.edges.middle(0.0) - next.edges.middle(0.0)));
+    constexpr double sigmas = 3.0;
+    if (std::abs(taken.edges.roll - next.edges.roll) >
+        sigmas * (std::numbers::sqrt2 * parameters_.search.lean_sigma + turn * attitude_sigma_))
+        return false;
+    const double top = next.evidence.first_slope, base = next.evidence.last_slope;
+    for (const double slope : {top, 0.75 * top + 0.25 * base, 0.5 * (top + base), 0.25 * top + 0.75 * base, base}) {
+        if (slope > taken.evidence.first_slope || slope < taken.evidence.last_slope) continue;
+        const double roll = (taken.edges.roll - next.edges.roll) * slope;
+        const double left = taken.edges.left - next.edges.left + roll;
+        const double right = taken.edges.right - next.edges.right + roll;
+        if (std::abs(left) < 2.0 * tolerance || std::abs(right) < 2.0 * tolerance) return false;
+        const double taken_width = taken.edges.right - taken.edges.left;
+        const double next_width = next.edges.right - next.edges.left;
+        const double overlap = std::min(right, 0.0) + next_width - std::max(left, 0.0);
+        constexpr double most = 0.25;  // of the narrower one's width
+        if (overlap > most * std::min(taken_width, next_width)) return false;
+    }
+    return true;
+}
+
+std::optional<Post> UprightDetector::post_of(const Found& found, const UprightView& view,
+                                             const Candidates& candidates, const Intrinsics& camera) const {
+    Post post;
+    const auto place = [&](double azimuth, double slope, Eigen::Vector2d& corner) {
+        const auto pixel = view.pixel({azimuth + found.edges.roll * slope, slope});
+        if (pixel) corner = *pixel;
+        return pixel.has_value();
+    };
+    const double top = found.evidence.first_slope, base = found.evidence.last_slope;
+    if (!(top > base) || !place(found.edges.left, top, post.left_top) ||
+        !place(found.edges.left, base, post.left_base) || !place(found.edges.right, top, post.right_top) ||
+        !place(found.edges.right, base, post.right_base))
+        return std::nullopt;
+    post.support_left = found.evidence.left_rows;
+    post.support_right = found.evidence.right_rows;
+    static_cast<void>(candidates);
+    const auto sigma = [](int rows) { return 0.5 / std::sqrt(std::max(1, rows)); };  // px
+    measure_post(post, camera, 2.0 * size_.radius, sigma(post.support_left), sigma(post.support_right),
+                 parameters_.measurement);
+    if (post.has(post_flag::no_distance)) return post;
+    const double half_angle = found.edges.half_angle();
+    const double by_width = post.distance_m;
+    post.distance_m = size_.radius / std::sin(half_angle);
+    // The covariance is of the same edges: in proportion.
+    const double scale = post.distance_m / by_width;
+    post.covariance(0, 0) *= scale * scale;
+    post.covariance(0, 1) *= scale;
+    post.covariance(1, 0) *= scale;
+    return post;
+}
+
+/// The edge with most points among those that no post has taken, as a line in the picture; takes them.
+std::optional<EdgeLine> UprightDetector::free_edge(const std::vector<UprightPoint>& points, bool left,
+                                                   double tolerance) {
+    std::vector<UprightPoint> free;
+    for (const UprightPoint& p : points) {
+        const bool taken = std::any_of(taken_.begin(), taken_.end(), [&](const Found& f) {
+            const double edge = left ? f.edges.left : f.edges.right;
+            return std::abs(p.ray.azimuth - edge - f.edges.roll * p.ray.slope) < 2.0 * tolerance;
+        });
+        if (!taken) free.push_back(p);
+    }
+    const double reach = std::min(3.0 * roll_sigma_, 0.7);
+    const double step = 0.01;
+    int most = 0;
+    double azimuth = 0.0, roll = 0.0;
+    for (int i = 0; i * step <= reach; ++i) {
+        for (const double r : {i * step, -i * step}) {
+            votes_.find(free, r, tolerance, parameters_.search.least_rows, 1, left_);
+            if (!left_.empty() && left_[0].points > most)
+                most = left_[0].points, azimuth = left_[0].azimuth, roll = r;
+        }
+    }
+    if (most == 0) return std::nullopt;
+    edge_points_.clear();
+    for (const UprightPoint& p : free)
+        if (std::abs(p.ray.azimuth - azimuth - roll * p.ray.slope) < 1.5 * tolerance)
+            edge_points_.push_back(p.pixel);
+    const auto line = fit_line(edge_points_);
+    if (!line) return std::nullopt;
+    return edge_line(*line, edge_points_);
+}
+
+void UprightDetector::add_cut_posts(const Candidates& candidates, const Intrinsics& camera,
+                                    double tolerance) {
+    constexpr double near_px = 5.0;  // as the paper's inlier distance
+    for (const bool left : {true, false}) {
+        const auto edge = free_edge(left ? seen_.left : seen_.right, left, tolerance);
+        if (!edge) continue;
+        auto post = post_with_one_edge(*edge, left ? EdgeSide::left : EdgeSide::right, candidates, near_px,
+                                       parameters_.cut_posts);
+        if (!post) continue;
+        measure_post(*post, camera, 2.0 * size_.radius, 0.0, 0.0, parameters_.measurement);
+        insert(posts_, *post);
+    }
+    if (!posts_.empty()) return;
+    if (auto post = post_that_fills_image(candidates, parameters_.cut_posts)) {
+        measure_post(*post, camera, 2.0 * size_.radius, 0.0, 0.0, parameters_.measurement);
+        insert(posts_, *post);
+    }
+}
+
+const std::vector<Post>& UprightDetector::detect(const Candidates& candidates, const Intrinsics& camera,
+                                                 const std::optional<CameraPose>& pose) {
+    posts_.clear();
+    taken_.clear();
+    found_.clear();
+    const auto view = UprightView::make(camera, pose, parameters_.search.level_sigma);
+    if (!view) return posts_;
+    seen_.take(candidates, *view);
+    const double tolerance = parameters_.search.tolerance / camera.fx;
+    roll_sigma_ = std::max(1e-3, std::hypot(view->attitude_sigma(), parameters_.search.lean_sigma));
+    row_step_ = seen_.rows.size() > 1 ? static_cast<double>(seen_.rows.back() - seen_.rows.front()) /
+                                            static_cast<double>(seen_.rows.size() - 1)
+                                      : 1.0;
+    view_scale_ = camera.fy;
+    attitude_sigma_ = view->attitude_sigma();
+    suggest(*view, tolerance);
+    for (const Hypothesis& h : hypotheses_) {
+        const UprightEdges edges = fitted(*view, h.edges, tolerance);
+        if (std::abs(edges.roll) > 4.0 * roll_sigma_) continue;
+        const UprightEvidence evidence = judge_.judge(seen_, *view, edges, 1.5 * tolerance);
+        if (passes(evidence)) found_.push_back({edges, evidence});
+    }
+    std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
+        return a.evidence.score > b.evidence.score;
+    });
+    for (const Found& next : found_) {
+        if (!std::all_of(taken_.begin(), taken_.end(),
+                         [&](const Found& f) { return go_together(f, next, tolerance); }))
+            continue;
+        const auto post = post_of(next, *view, candidates, camera);
+        if (!post) continue;
+        taken_.push_back(next);
+        insert(posts_, *post);
+    }
+    add_cut_posts(candidates, camera, tolerance);
+    assign_sides(posts_, candidates, parameters_.sides);
+    return posts_;
+}
+
+}  // namespace goalmouth

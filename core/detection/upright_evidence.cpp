@@ -1,0 +1,145 @@
+#include "core/detection/upright_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace goalmouth {
+namespace {
+
+/// Slopes of the rows along an upright line; between every few of them as good as straight.
+template <class Rows>
+void set_slopes(const std::vector<int>& pixel_rows, const UprightView& view, const UprightEdges& edges,
+                Rows& rows) {
+    constexpr std::size_t apart = 8;  // rows
+    double near = 0.0;                // px, column of the line in the row before
+    if (const auto level = view.pixel({edges.middle(0.0), 0.0})) near = level->x();
+    const auto slope_in = [&](int y) {
+        double slope = 0.0;
+        for (int round = 0; round < 3; ++round) {
+            slope = view.ray({near, static_cast<double>(y)}).slope;
+            const auto there = view.pixel({edges.middle(slope), slope});
+            if (!there) break;
+            near = there->x();
+        }
+        return slope;
+    };
+    double before = 0.0;
+    for (std::size_t i = 0; i < rows.size(); i += apart) {
+        const double here = slope_in(pixel_rows[i]);
+        rows[i].slope = here;
+        for (std::size_t k = i < apart ? i : i - apart + 1; k < i; ++k) {
+            const double share = static_cast<double>(pixel_rows[k] - pixel_rows[i - apart]) /
+                                 static_cast<double>(pixel_rows[i] - pixel_rows[i - apart]);
+            rows[k].slope = before + share * (here - before);
+        }
+        before = here;
+    }
+    for (std::size_t k = (rows.size() - 1) / apart * apart + 1; k < rows.size(); ++k)
+        rows[k].slope = slope_in(pixel_rows[k]);
+}
+
+}  // namespace
+
+void UprightJudge::look(const UprightCandidates& candidates, const UprightView& view,
+                        const UprightEdges& edges, double tolerance) {
+    rows_.assign(candidates.rows.size(), {});
+    set_slopes(candidates.rows, view, edges, rows_);
+    const auto row_of = [&](double y) -> Row* {
+        const auto at = std::lower_bound(candidates.rows.begin(), candidates.rows.end(), y - 0.5);
+        if (at == candidates.rows.end() || std::abs(*at - y) > 0.5) return nullptr;
+        return &rows_[static_cast<std::size_t>(at - candidates.rows.begin())];
+    };
+    for (const UprightPoint& p : candidates.left) {
+        if (std::abs(p.ray.azimuth - edges.left - edges.roll * p.ray.slope) > tolerance) continue;
+        if (Row* row = row_of(p.pixel.y())) row->left = true;
+    }
+    for (const UprightPoint& p : candidates.right) {
+        if (std::abs(p.ray.azimuth - edges.right - edges.roll * p.ray.slope) > tolerance) continue;
+        if (Row* row = row_of(p.pixel.y())) row->right = true;
+    }
+    const double width = edges.right - edges.left;
+    for (const UprightRun& run : candidates.runs) {
+        const double begin = run.start.azimuth - edges.roll * run.start.slope - edges.left;
+        const double end = run.end.azimuth - edges.roll * run.end.slope - edges.left;
+        const double overlap = std::min(end, width) - std::max(begin, 0.0);
+        if (!(overlap > 0.0) || overlap < 0.5 * width) continue;
+        if (Row* row = row_of(run.row)) {
+            row->covered = true;
+            row->cut = row->cut || (run.cut_left && begin > -tolerance) || (run.cut_right && end < width + tolerance);
+        }
+    }
+}
+
+UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const UprightView& view,
+                                    const UprightEdges& edges, double tolerance) {
+    UprightEvidence best;
+    if (candidates.rows.size() < 2 || !(edges.half_angle() > 0.0)) return best;
+    look(candidates, view, edges, tolerance);
+    const std::size_t n = rows_.size();
+    inside_.assign(n + 1, 0.0);
+    outside_.assign(n + 1, 0.0);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Row& row = rows_[i];
+        const int seen = static_cast<int>(row.left) + static_cast<int>(row.right);
+        double in = -1.0, out = 0.0;
+        if (row.covered) {
+            in = seen == 2 ? 2.0 : seen == 1 ? 1.0 : -0.3;
+            if (row.cut) in = std::max(in, 0.5) + 0.5;
+            if (seen == 2) out = -1.5;
+        }
+        inside_[i + 1] = inside_[i] + in;
+        outside_[i + 1] = outside_[i] + out;
+    }
+    // Rows run down the picture, slopes fall.
+    const auto row_below = [&](double slope) {
+        return static_cast<std::size_t>(
+            std::lower_bound(rows_.begin(), rows_.end(), slope,
+                             [](const Row& row, double s) { return row.slope > s; }) -
+            rows_.begin());
+    };
+    const double distance = size_.radius / std::sin(edges.half_angle());
+    const double near = std::max(0.5 * distance, distance - size_.radius);
+    const double height = view.height().value_or(0.5 * size_.height);
+    const double rise = size_.height - height;
+    const double base = -height / near;
+    const double top = rise / (rise > 0.0 ? near : distance + size_.radius);
+    const double sigma = view.height() ? view.attitude_sigma() : std::hypot(view.attitude_sigma(), 0.25 * (top - base));
+    const double margin = 0.1 * (top - base);
+    constexpr double sigmas = 2.5;
+    const double step = std::max(0.25 * margin, sigmas * sigma / 100.0);
+    bool first = true;
+    for (double shift = -sigmas * sigma; shift <= sigmas * sigma; shift += step) {
+        const double middle = 0.5 * (top + base) + shift;
+        const double stretch = 1.0 + middle * middle;  // a turn moves slopes by 1 + t²
+        const double at_top = top + shift * stretch, at_base = base + shift * stretch;
+        const std::size_t begin = row_below(at_top), end = row_below(at_base);
+        if (end <= begin) continue;
+        const std::size_t above = row_below(at_top + margin), below = row_below(at_base - margin);
+        const double leaves = sigma > 0.0 ? shift / sigma : 0.0;
+        const double score = inside_[end] - inside_[begin] + outside_[above] + outside_[n] - outside_[below] -
+                             0.5 * leaves * leaves;
+        if (!first && score <= best.score) continue;
+        first = false;
+        best = {};
+        best.score = score;
+        best.rows = static_cast<double>(end - begin);
+        best.first_slope = at_top;
+        best.last_slope = at_base;
+    }
+    if (first) return best;
+    const std::size_t begin = row_below(best.first_slope + margin), end = row_below(best.last_slope - margin);
+    bool any = false;
+    for (std::size_t i = begin; i < end; ++i) {
+        const Row& row = rows_[i];
+        if (!row.covered) continue;
+        if (!any) best.first_slope = row.slope;
+        best.last_slope = row.slope;
+        any = true;
+        ++best.covered_rows;
+        best.left_rows += row.left ? 1 : 0;
+        best.right_rows += row.right ? 1 : 0;
+    }
+    return best;
+}
+
+}  // namespace goalmouth

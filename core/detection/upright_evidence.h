@@ -1,0 +1,71 @@
+#pragma once
+
+#include "core/detection/upright_parameters.h"
+#include "core/detection/upright_view.h"
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace goalmouth {
+
+/// The edges of an upright post: azimuth(slope) = left or right + roll · slope.
+struct UprightEdges {
+    double left = 0.0, right = 0.0;  // rad
+    double roll = 0.0;               // rad
+
+    double half_angle() const { return 0.5 * (right - left); }
+    double middle(double slope) const { return 0.5 * (left + right) + roll * slope; }
+};
+
+/// What is known of a post before it is seen.
+struct UprightSize {
+    double radius = 0.05;  // m
+    double height = 0.95;  // m, of the goal's upper edge
+};
+
+/// What a frame's candidates say for a post with such edges.
+struct UprightEvidence {
+    double score = 0.0;      // sum over rows
+    double rows = 0.0;       // in the picture between the post's ends
+    int left_rows = 0;       // of these, in which the edge is where it should be
+    int right_rows = 0;
+    int covered_rows = 0;    // of the post's colour
+    double first_slope = 0.0, last_slope = 0.0;  // of the uppermost and lowermost of these
+};
+
+/// Judges hypotheses by the rows a post of known size would be seen in.
+///
+/// Edges tell the distance, D = r / sin η, and that with the camera's height h and the goal's height H where
+/// base and top are: at the slopes −h/(D − r) and (H − h)/(D ∓ r). An error of the measured vertical shifts both; the
+/// shift is the one with most evidence, less its own cost. A row in between counts
+///      2  its middle has the post's colour, and both edges are where they should be,
+///      1  one edge alone is: on the other side there may be something of the same colour,
+///   −0.3  the colour goes on on both sides,
+///     −1  it has another colour: occluded, or no post;
+/// and above or below the ends
+///   −1.5  with both edges where they should be: it is longer than posts are.
+/// The picture's border is no edge, and no missing one.
+class UprightJudge {
+  public:
+    UprightJudge(const UprightSearchParameters& parameters, const UprightSize& size)
+        : parameters_(parameters), size_(size) {}
+
+    UprightEvidence judge(const UprightCandidates& candidates, const UprightView& view,
+                          const UprightEdges& edges, double tolerance);
+
+  private:
+    struct Row {
+        double slope = 0.0;
+        bool covered = false, left = false, right = false, cut = false;
+    };
+    void look(const UprightCandidates& candidates, const UprightView& view, const UprightEdges& edges,
+              double tolerance);
+
+    UprightSearchParameters parameters_;
+    UprightSize size_;
+    std::vector<Row> rows_;
+    std::vector<double> inside_, outside_;  // sums of rows' counts, before each row
+};
+
+}  // namespace goalmouth

@@ -1,0 +1,84 @@
+#include "core/detection/upright_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace goalmouth {
+
+std::optional<UprightView> UprightView::make(const Intrinsics& camera, const std::optional<CameraPose>& pose,
+                                             double level_sigma) {
+    UprightView view;
+    view.camera_ = camera;
+    view.up_ = -Eigen::Vector3d::UnitY();
+    view.attitude_sigma_ = level_sigma;
+    if (pose && pose->T_BC.matrix().allFinite() && pose->covariance.allFinite()) {
+        view.up_ = pose->T_BC.linear().transpose() * Eigen::Vector3d::UnitZ();
+        view.attitude_sigma_ =
+            std::sqrt(std::max(0.0, 0.5 * (pose->covariance(3, 3) + pose->covariance(4, 4))));
+        const double height = pose->T_BC.translation().z();
+        if (height > 0.0) view.height_ = height;
+    }
+    const Eigen::Vector3d ahead =
+        Eigen::Vector3d::UnitZ() - Eigen::Vector3d::UnitZ().dot(view.up_) * view.up_;
+    constexpr double least_level = 0.1;  // cosine of the axis's elevation
+    if (!(ahead.norm() > least_level)) return std::nullopt;
+    view.ahead_ = ahead.normalized();
+    view.right_ = view.ahead_.cross(view.up_);
+    return view;
+}
+
+UprightRay UprightView::ray(const Eigen::Vector2d& pixel) const {
+    const Eigen::Vector3d d = normalised_from_pixel(camera_, pixel).homogeneous();
+    const double ahead = d.dot(ahead_), right = d.dot(right_);
+    return {std::atan2(right, ahead), d.dot(up_) / std::hypot(right, ahead)};
+}
+
+std::optional<Eigen::Vector2d> UprightView::pixel(const UprightRay& ray) const {
+    return project(camera_, std::cos(ray.azimuth) * ahead_ + std::sin(ray.azimuth) * right_ + ray.slope * up_);
+}
+
+void UprightCandidates::take(const Candidates& candidates, const UprightView& view) {
+    const auto convert = [&](const std::vector<Eigen::Vector2d>& from, std::vector<UprightPoint>& to) {
+        to.clear();
+        for (const Eigen::Vector2d& p : from) to.push_back({view.ray(p), p});
+    };
+    convert(candidates.left_edges, left);
+    convert(candidates.right_edges, right);
+
+    runs.clear();
+    rows.clear();
+    for (const CandidateSegment& s : candidates.segments) {
+        if (s.orientation != Orientation::horizontal) continue;
+        runs.push_back({view.ray({s.start - 0.5, s.line}), view.ray({s.end + 0.5, s.line}), s.line,
+                        s.start <= 0, s.end >= candidates.width - 1});
+        rows.push_back(s.line);
+    }
+    std::sort(runs.begin(), runs.end(),
+              [](const UprightRun& a, const UprightRun& b) { return a.row < b.row; });
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    if (rows.size() < 2) return;
+
+    std::vector<int> steps;
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i) steps.push_back(rows[i + 1] - rows[i]);
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    const int step = *middle;
+    std::vector<int> all;
+    for (int row = rows.front() - step; row >= 0; row -= step) all.push_back(row);
+    std::reverse(all.begin(), all.end());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i > 0) {
+            const int between = rows[i] - rows[i - 1];
+            const int missing = (between + step / 2) / step - 1;
+            for (int k = 1; k <= missing; ++k) all.push_back(rows[i - 1] + k * between / (missing + 1));
+        }
+        all.push_back(rows[i]);
+    }
+    for (int row = rows.back() + step; row < candidates.height; row += step) all.push_back(row);
+    rows.swap(all);
+}
+
+}  // namespace goalmouth
