@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include <Eigen/Cholesky>
 
@@ -78,8 +79,10 @@ void UprightDetector::suggest(const UprightView& view, double tolerance) {
             }
         }
     }
-    std::stable_sort(hypotheses_.begin(), hypotheses_.end(),
-                     [](const Hypothesis& a, const Hypothesis& b) { return a.promise > b.promise; });
+    std::sort(hypotheses_.begin(), hypotheses_.end(), [](const Hypothesis& a, const Hypothesis& b) {
+        return std::tuple(-a.promise, a.edges.left, a.edges.right, a.edges.roll) <
+               std::tuple(-b.promise, b.edges.left, b.edges.right, b.edges.roll);
+    });
     // Of those with the same edges the best.
     std::size_t kept = 0;
     for (const Hypothesis& next : hypotheses_) {
@@ -149,7 +152,8 @@ bool UprightDetector::go_together(const Found& taken, const Found& next, double 
         sigmas * (std::numbers::sqrt2 * parameters_.search.lean_sigma + turn * attitude_sigma_))
         return false;
     const double top = next.evidence.first_slope, base = next.evidence.last_slope;
-    for (const double slope : {top, 0.75 * top + 0.25 * base, 0.5 * (top + base), 0.25 * top + 0.75 * base, base}) {
+    for (const double slope :
+         {top, 0.75 * top + 0.25 * base, 0.5 * (top + base), 0.25 * top + 0.75 * base, base}) {
         if (slope > taken.evidence.first_slope || slope < taken.evidence.last_slope) continue;
         const double roll = (taken.edges.roll - next.edges.roll) * slope;
         const double left = taken.edges.left - next.edges.left + roll;
@@ -165,7 +169,7 @@ bool UprightDetector::go_together(const Found& taken, const Found& next, double 
 }
 
 std::optional<Post> UprightDetector::post_of(const Found& found, const UprightView& view,
-                                             const Candidates& candidates, const Intrinsics& camera) const {
+                                             const Intrinsics& camera) const {
     Post post;
     const auto place = [&](double azimuth, double slope, Eigen::Vector2d& corner) {
         const auto pixel = view.pixel({azimuth + found.edges.roll * slope, slope});
@@ -179,7 +183,6 @@ std::optional<Post> UprightDetector::post_of(const Found& found, const UprightVi
         return std::nullopt;
     post.support_left = found.evidence.left_rows;
     post.support_right = found.evidence.right_rows;
-    static_cast<void>(candidates);
     const auto sigma = [](int rows) { return 0.5 / std::sqrt(std::max(1, rows)); };  // px
     measure_post(post, camera, 2.0 * size_.radius, sigma(post.support_left), sigma(post.support_right),
                  parameters_.measurement);
@@ -198,13 +201,13 @@ std::optional<Post> UprightDetector::post_of(const Found& found, const UprightVi
 /// The edge with most points among those that no post has taken, as a line in the picture; takes them.
 std::optional<EdgeLine> UprightDetector::free_edge(const std::vector<UprightPoint>& points, bool left,
                                                    double tolerance) {
-    std::vector<UprightPoint> free;
+    free_.clear();
     for (const UprightPoint& p : points) {
         const bool taken = std::any_of(taken_.begin(), taken_.end(), [&](const Found& f) {
             const double edge = left ? f.edges.left : f.edges.right;
             return std::abs(p.ray.azimuth - edge - f.edges.roll * p.ray.slope) < 2.0 * tolerance;
         });
-        if (!taken) free.push_back(p);
+        if (!taken) free_.push_back(p);
     }
     const double reach = std::min(3.0 * roll_sigma_, 0.7);
     const double step = 0.01;
@@ -212,14 +215,14 @@ std::optional<EdgeLine> UprightDetector::free_edge(const std::vector<UprightPoin
     double azimuth = 0.0, roll = 0.0;
     for (int i = 0; i * step <= reach; ++i) {
         for (const double r : {i * step, -i * step}) {
-            votes_.find(free, r, tolerance, parameters_.search.least_rows, 1, left_);
+            votes_.find(free_, r, tolerance, parameters_.search.least_rows, 1, left_);
             if (!left_.empty() && left_[0].points > most)
                 most = left_[0].points, azimuth = left_[0].azimuth, roll = r;
         }
     }
     if (most == 0) return std::nullopt;
     edge_points_.clear();
-    for (const UprightPoint& p : free)
+    for (const UprightPoint& p : free_)
         if (std::abs(p.ray.azimuth - azimuth - roll * p.ray.slope) < 1.5 * tolerance)
             edge_points_.push_back(p.pixel);
     const auto line = fit_line(edge_points_);
@@ -268,14 +271,15 @@ const std::vector<Post>& UprightDetector::detect(const Candidates& candidates, c
         const UprightEvidence evidence = judge_.judge(seen_, *view, edges, 1.5 * tolerance);
         if (passes(evidence)) found_.push_back({edges, evidence});
     }
-    std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
-        return a.evidence.score > b.evidence.score;
+    std::sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
+        return std::tuple(-a.evidence.score, a.edges.left, a.edges.right, a.edges.roll) <
+               std::tuple(-b.evidence.score, b.edges.left, b.edges.right, b.edges.roll);
     });
     for (const Found& next : found_) {
         if (!std::all_of(taken_.begin(), taken_.end(),
                          [&](const Found& f) { return go_together(f, next, tolerance); }))
             continue;
-        const auto post = post_of(next, *view, candidates, camera);
+        const auto post = post_of(next, *view, camera);
         if (!post) continue;
         taken_.push_back(next);
         insert(posts_, *post);

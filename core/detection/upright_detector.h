@@ -26,8 +26,8 @@ namespace goalmouth {
 /// which rows the post has to show. So a post is found by what is seen of either edge anywhere along it.
 ///
 ///   1  For each roll that the vertical's uncertainty allows: where left, and where right edge points pile up
-///      (AzimuthVotes), and which pairs of them make a post at a plausible distance with enough points between
-///      its ends. No draws: the same candidates give the same posts.
+///      (AzimuthVotes), and which pairs of them make a post at a plausible distance with enough points
+///      between its ends. No draws: the same candidates give the same posts.
 ///   2  The best of these are fitted to their points (least squares of left, right and roll, the vertical as
 ///      prior), then judged row by row (UprightJudge).
 ///   3  The best of those that pass are posts, one after the other, as long as they share no edge with one
@@ -39,7 +39,8 @@ class UprightDetector {
   public:
     UprightDetector(const UprightDetectorParameters& parameters, const Field& field);
 
-    /// `pose`: where the camera was, if that is known. From left to right. Valid until the next call.
+    /// `pose`: where the camera was, if that is known. From left to right. Valid until the next call. No heap
+    /// allocation once warm.
     const std::vector<Post>& detect(const Candidates& candidates, const Intrinsics& camera,
                                     const std::optional<CameraPose>& pose);
 
@@ -59,24 +60,23 @@ class UprightDetector {
     UprightEdges fitted(const UprightView& view, const UprightEdges& edges, double tolerance) const;
     bool passes(const UprightEvidence& evidence) const;
     bool go_together(const Found& taken, const Found& next, double tolerance) const;
-    std::optional<Post> post_of(const Found& found, const UprightView& view, const Candidates& candidates,
-                                const Intrinsics& camera) const;
+    std::optional<Post> post_of(const Found& found, const UprightView& view, const Intrinsics& camera) const;
     void add_cut_posts(const Candidates& candidates, const Intrinsics& camera, double tolerance);
-    std::optional<EdgeLine> free_edge(const std::vector<UprightPoint>& points, bool left,
-                                      double tolerance);
+    std::optional<EdgeLine> free_edge(const std::vector<UprightPoint>& points, bool left, double tolerance);
 
     UprightDetectorParameters parameters_;
     UprightSize size_;
     double roll_sigma_ = 0.0;      // rad
     double attitude_sigma_ = 0.0;  // rad
-    double row_step_ = 1.0;    // px, from one horizontal scan-line to the next
-    double view_scale_ = 1.0;  // px per unit of slope
+    double row_step_ = 1.0;        // px, from one horizontal scan-line to the next
+    double view_scale_ = 1.0;      // px per unit of slope
     UprightJudge judge_;
     AzimuthVotes votes_;
     UprightCandidates seen_;
     std::vector<AzimuthPeak> left_, right_;
     std::vector<Hypothesis> hypotheses_;
     std::vector<Found> found_, taken_;
+    std::vector<UprightPoint> free_;
     std::vector<Eigen::Vector2d> edge_points_;
     std::vector<Post> posts_;
 };

@@ -6,6 +6,11 @@
 namespace goalmouth {
 namespace {
 
+// What a row within a post's ends counts.
+constexpr double both_edges = 2.0, one_edge = 1.0, no_edge = -0.3, hidden = -0.8, hidden_top = -1.5;
+// And one beyond them.
+constexpr double goes_on_beside = -0.75, goes_on = -5.0;
+
 /// Slopes of the rows along an upright line; between every few of them as good as straight.
 template <class Rows>
 void set_slopes(const std::vector<int>& pixel_rows, const UprightView& view, const UprightEdges& edges,
@@ -65,7 +70,8 @@ void UprightJudge::look(const UprightCandidates& candidates, const UprightView& 
         if (!(overlap > 0.0) || overlap < 0.5 * width) continue;
         if (Row* row = row_of(run.row)) {
             row->covered = true;
-            row->cut = row->cut || (run.cut_left && begin > -tolerance) || (run.cut_right && end < width + tolerance);
+            row->cut = row->cut || (run.cut_left && begin > -tolerance) ||
+                       (run.cut_right && end < width + tolerance);
         }
     }
 }
@@ -78,14 +84,18 @@ UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const U
     const std::size_t n = rows_.size();
     inside_.assign(n + 1, 0.0);
     outside_.assign(n + 1, 0.0);
+    const auto first_seen = static_cast<std::size_t>(
+        std::find_if(rows_.begin(), rows_.end(),
+                     [](const Row& row) { return row.covered && (row.left || row.right); }) -
+        rows_.begin());
     for (std::size_t i = 0; i < n; ++i) {
         const Row& row = rows_[i];
         const int seen = static_cast<int>(row.left) + static_cast<int>(row.right);
-        double in = -1.0, out = 0.0;
+        double in = i < first_seen ? hidden_top : hidden, out = 0.0;
         if (row.covered) {
-            in = seen == 2 ? 2.0 : seen == 1 ? 1.0 : -0.3;
-            if (row.cut) in = std::max(in, 0.5) + 0.5;
-            if (seen == 2) out = -1.5;
+            in = seen == 2 ? both_edges : seen == 1 ? one_edge : no_edge;
+            if (row.cut) in = std::max(in, 0.5 * one_edge) + 0.5 * one_edge;
+            out = seen == 2 ? goes_on : seen == 1 ? goes_on_beside : 0.0;
         }
         inside_[i + 1] = inside_[i] + in;
         outside_[i + 1] = outside_[i] + out;
@@ -103,8 +113,10 @@ UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const U
     const double rise = size_.height - height;
     const double base = -height / near;
     const double top = rise / (rise > 0.0 ? near : distance + size_.radius);
-    const double sigma = view.height() ? view.attitude_sigma() : std::hypot(view.attitude_sigma(), 0.25 * (top - base));
-    const double margin = 0.1 * (top - base);
+    const double sigma =
+        view.height() ? view.attitude_sigma() : std::hypot(view.attitude_sigma(), 0.25 * (top - base));
+    // Where it stands is known as well as the attitude; how high a goal is, less.
+    const double base_margin = 0.04 * (top - base), margin = 0.1 * (top - base);
     constexpr double sigmas = 2.5;
     const double step = std::max(0.25 * margin, sigmas * sigma / 100.0);
     bool first = true;
@@ -114,7 +126,7 @@ UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const U
         const double at_top = top + shift * stretch, at_base = base + shift * stretch;
         const std::size_t begin = row_below(at_top), end = row_below(at_base);
         if (end <= begin) continue;
-        const std::size_t above = row_below(at_top + margin), below = row_below(at_base - margin);
+        const std::size_t above = row_below(at_top + margin), below = row_below(at_base - base_margin);
         const double leaves = sigma > 0.0 ? shift / sigma : 0.0;
         const double score = inside_[end] - inside_[begin] + outside_[above] + outside_[n] - outside_[below] -
                              0.5 * leaves * leaves;
@@ -127,7 +139,8 @@ UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const U
         best.last_slope = at_base;
     }
     if (first) return best;
-    const std::size_t begin = row_below(best.first_slope + margin), end = row_below(best.last_slope - margin);
+    const std::size_t begin = row_below(best.first_slope + margin),
+                      end = row_below(best.last_slope - base_margin);
     bool any = false;
     for (std::size_t i = begin; i < end; ++i) {
         const Row& row = rows_[i];

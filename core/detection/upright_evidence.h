@@ -3,6 +3,7 @@
 #include "core/detection/upright_parameters.h"
 #include "core/detection/upright_view.h"
 
+#include <cmath>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,7 +15,8 @@ struct UprightEdges {
     double left = 0.0, right = 0.0;  // rad
     double roll = 0.0;               // rad
 
-    double half_angle() const { return 0.5 * (right - left); }
+    /// Between the planes through both edges: across them, where azimuths count along the level.
+    double half_angle() const { return 0.5 * (right - left) * std::cos(roll); }
     double middle(double slope) const { return 0.5 * (left + right) + roll * slope; }
 };
 
@@ -26,25 +28,26 @@ struct UprightSize {
 
 /// What a frame's candidates say for a post with such edges.
 struct UprightEvidence {
-    double score = 0.0;      // sum over rows
-    double rows = 0.0;       // in the picture between the post's ends
-    int left_rows = 0;       // of these, in which the edge is where it should be
+    double score = 0.0;  // sum over rows
+    double rows = 0.0;   // in the picture between the post's ends
+    int left_rows = 0;   // of these, in which the edge is where it should be
     int right_rows = 0;
-    int covered_rows = 0;    // of the post's colour
+    int covered_rows = 0;                        // of the post's colour
     double first_slope = 0.0, last_slope = 0.0;  // of the uppermost and lowermost of these
 };
 
 /// Judges hypotheses by the rows a post of known size would be seen in.
 ///
 /// Edges tell the distance, D = r / sin η, and that with the camera's height h and the goal's height H where
-/// base and top are: at the slopes −h/(D − r) and (H − h)/(D ∓ r). An error of the measured vertical shifts both; the
-/// shift is the one with most evidence, less its own cost. A row in between counts
+/// base and top are: at the slopes −h/(D − r) and (H − h)/(D ∓ r). An error of the measured vertical shifts
+/// both; the shift is the one with most evidence, less its own cost. A row in between counts
 ///      2  its middle has the post's colour, and both edges are where they should be,
 ///      1  one edge alone is: on the other side there may be something of the same colour,
 ///   −0.3  the colour goes on on both sides,
-///     −1  it has another colour: occluded, or no post;
-/// and above or below the ends
-///   −1.5  with both edges where they should be: it is longer than posts are.
+///   −0.8  it has another colour: something stands before it, or it is no post,
+///   −1.5  the same, above all that shows an edge: what stands on the field hides feet sooner than tops;
+/// and one above or below the ends, where there is no post,
+///   −0.75 for one edge, −5 for both where a post's would be, beside its colour: it is longer than posts are.
 /// The picture's border is no edge, and no missing one.
 class UprightJudge {
   public:

@@ -21,7 +21,8 @@ struct UprightSearchParameters {
 
 template <class Visitor>
 void describe_parameters(Visitor& v, UprightSearchParameters& p) {
-    v("tolerance", p.tolerance, Range{0.1, 100}, "px", "edge points nearer than this to an edge agree with it");
+    v("tolerance", p.tolerance, Range{0.1, 100}, "px",
+      "edge points nearer than this to an edge agree with it");
     v("lean_sigma", p.lean_sigma, Range{0, 0.5}, "rad",
       "sigma of a post's lean in the picture beside that of the measured vertical (posts, rolling shutter)");
     v("level_sigma", p.level_sigma, Range{0.001, 1.5}, "rad",

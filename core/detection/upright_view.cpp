@@ -36,7 +36,8 @@ UprightRay UprightView::ray(const Eigen::Vector2d& pixel) const {
 }
 
 std::optional<Eigen::Vector2d> UprightView::pixel(const UprightRay& ray) const {
-    return project(camera_, std::cos(ray.azimuth) * ahead_ + std::sin(ray.azimuth) * right_ + ray.slope * up_);
+    return project(camera_,
+                   std::cos(ray.azimuth) * ahead_ + std::sin(ray.azimuth) * right_ + ray.slope * up_);
 }
 
 void UprightCandidates::take(const Candidates& candidates, const UprightView& view) {
@@ -55,30 +56,28 @@ void UprightCandidates::take(const Candidates& candidates, const UprightView& vi
                         s.start <= 0, s.end >= candidates.width - 1});
         rows.push_back(s.line);
     }
-    std::sort(runs.begin(), runs.end(),
-              [](const UprightRun& a, const UprightRun& b) { return a.row < b.row; });
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     if (rows.size() < 2) return;
 
-    std::vector<int> steps;
-    for (std::size_t i = 0; i + 1 < rows.size(); ++i) steps.push_back(rows[i + 1] - rows[i]);
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
+    steps_.clear();
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i) steps_.push_back(rows[i + 1] - rows[i]);
+    const auto middle = steps_.begin() + static_cast<std::ptrdiff_t>(steps_.size() / 2);
+    std::nth_element(steps_.begin(), middle, steps_.end());
     const int step = *middle;
-    std::vector<int> all;
-    for (int row = rows.front() - step; row >= 0; row -= step) all.push_back(row);
-    std::reverse(all.begin(), all.end());
+    all_.clear();
+    for (int row = rows.front() - step; row >= 0; row -= step) all_.push_back(row);
+    std::reverse(all_.begin(), all_.end());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (i > 0) {
             const int between = rows[i] - rows[i - 1];
             const int missing = (between + step / 2) / step - 1;
-            for (int k = 1; k <= missing; ++k) all.push_back(rows[i - 1] + k * between / (missing + 1));
+            for (int k = 1; k <= missing; ++k) all_.push_back(rows[i - 1] + k * between / (missing + 1));
         }
-        all.push_back(rows[i]);
+        all_.push_back(rows[i]);
     }
-    for (int row = rows.back() + step; row < candidates.height; row += step) all.push_back(row);
-    rows.swap(all);
+    for (int row = rows.back() + step; row < candidates.height; row += step) all_.push_back(row);
+    rows.swap(all_);
 }
 
 }  // namespace goalmouth

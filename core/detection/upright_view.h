@@ -46,7 +46,7 @@ class UprightView {
     /// Nothing behind the camera.
     std::optional<Eigen::Vector2d> pixel(const UprightRay& ray) const;
 
-    std::optional<double> height() const { return height_; }  // m, of the camera above the ground
+    std::optional<double> height() const { return height_; }   // m, of the camera above the ground
     double attitude_sigma() const { return attitude_sigma_; }  // rad, about any level axis
 
   private:
@@ -59,13 +59,17 @@ class UprightView {
 };
 
 /// The candidates of a frame as such a view has them.
-struct UprightCandidates {
+class UprightCandidates {
+  public:
     std::vector<UprightPoint> left, right;
-    std::vector<UprightRun> runs;  // horizontal ones, by row
+    std::vector<UprightRun> runs;  // horizontal ones
     std::vector<int> rows;         // px, the picture's horizontal scan-lines from top to bottom
 
     /// Scan-lines without candidates are put where the others let expect them.
     void take(const Candidates& candidates, const UprightView& view);
+
+  private:
+    std::vector<int> steps_, all_;
 };
 
 }  // namespace goalmouth

@@ -12,8 +12,9 @@ struct AzimuthPeak {
     int points = 0;
 };
 
-/// Where edge points pile up when each votes for azimuth − roll·slope: within windows of ± `tolerance` [rad], those with most
-/// points first, none nearer to a better one than a window's width. At most `most`, each of `least` points.
+/// Where edge points pile up when each votes for azimuth − roll·slope: within windows of ± `tolerance` [rad],
+/// those with most points first, none nearer to a better one than a window's width. At most `most`, each of
+/// `least` points.
 class AzimuthVotes {
   public:
     void find(const std::vector<UprightPoint>& points, double roll, double tolerance, int least,

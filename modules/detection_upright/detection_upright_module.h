@@ -37,7 +37,8 @@ class UprightDetectionModule : public Module {
 
 template <class Visitor>
 void describe_parameters(Visitor& v, UprightDetectionModule::Parameters& p) {
-    v("field", p.field, File{true}, "field whose posts are sought (their diameter and height); empty: KidSize 2013");
+    v("field", p.field, File{true},
+      "field whose posts are sought (their diameter and height); empty: KidSize 2013");
     v.group("timing", p.timing, "how candidates and kinematics are brought together");
     describe_parameters(v, static_cast<UprightDetectorParameters&>(p));
 }

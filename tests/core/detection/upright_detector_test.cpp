@@ -1,0 +1,295 @@
+#include "core/detection/upright_detector.h"
+
+#include "core/geometry/cylinder.h"
+#include "core/random/random.h"
+#include "tests/support/allocations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace goalmouth {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr int spacing = 4;  // px, of scan-lines
+
+/// A camera on a robot that stands in the origin of the ground and looks along x.
+struct Robot {
+    double height = 0.42;
+    double roll = 0.0, pitch = 0.05;  // rad
+    Intrinsics camera;
+
+    Eigen::Isometry3d T_BC() const { return camera_in_body(height, roll, pitch); }
+    CameraPose told(double roll_error = 0.0, double pitch_error = 0.0) const {
+        CameraPose pose;
+        pose.T_BC = camera_in_body(height, roll + roll_error, pitch + pitch_error);
+        pose.covariance.diagonal() << 0.0, 0.0, 1e-4, 3e-4, 3e-4, 3e-4;
+        return pose;
+    }
+};
+
+/// A thing of the post's colour: upright, round.
+Cylinder post_at(double ahead, double left, double top = 0.95, double radius = 0.05) {
+    return {{ahead, left, 0.0}, Eigen::Vector3d::UnitZ(), top, radius};
+}
+
+/// What a row of one thing shows; tests change it.
+struct Row {
+    double left, right;
+    bool shows = true, left_edge = true, right_edge = true;
+};
+using Change = std::function<void(Row& row, double from_top)>;  // 0 at the top … 1 at the base
+
+Candidates empty_frame(const Intrinsics& camera) {
+    Candidates c;
+    c.width = camera.width;
+    c.height = camera.height;
+    return c;
+}
+
+/// Adds what scan-lines see of it, by the geometry of its silhouette's straight edges.
+void add(Candidates& c, const Robot& robot, const Cylinder& thing, const Change& change = {}) {
+    const auto edges = project_edges(robot.camera, robot.T_BC(), thing);
+    ASSERT_TRUE(edges);
+    const auto x_at = [](const Eigen::Vector2d& top, const Eigen::Vector2d& base, double y) {
+        return top.x() + (y - top.y()) / (base.y() - top.y()) * (base.x() - top.x());
+    };
+    const double top = std::max(edges->left_top.y(), edges->right_top.y());
+    const double base = std::min(edges->left_base.y(), edges->right_base.y());
+    for (int y = 2; y < c.height; y += spacing) {
+        if (y < top || y > base) continue;
+        Row row{x_at(edges->left_top, edges->left_base, y), x_at(edges->right_top, edges->right_base, y)};
+        if (change) change(row, (y - top) / (base - top));
+        const int first = static_cast<int>(std::ceil(std::max(row.left, -0.5)));
+        const int last = static_cast<int>(std::floor(std::min(row.right, c.width - 0.5)));
+        if (!row.shows || last < first) continue;
+        c.segments.push_back({Orientation::horizontal, y, first, last});
+        if (row.left_edge && row.left > -0.5) c.left_edges.emplace_back(row.left, y);
+        if (row.right_edge && row.right < c.width - 0.5) c.right_edges.emplace_back(row.right, y);
+    }
+}
+
+std::vector<Post> detect(const Candidates& c, const Robot& robot, const std::optional<CameraPose>& pose) {
+    return UprightDetector({}, Field{}).detect(c, robot.camera, pose);
+}
+
+/// Camera to axis along the ground.
+double distance_of(const Robot& robot, const Cylinder& post) {
+    return (post.base - robot.T_BC().translation()).head<2>().norm();
+}
+
+/// Bearing in frame C of the post's axis in the row half-way down what was found of it.
+double bearing_in(const Robot& robot, const Cylinder& post, const Post& found) {
+    const double row = 0.25 * (found.left_top + found.left_base + found.right_top + found.right_base).y();
+    double nearest = 1e9, bearing = 0.0;
+    for (double z = 0.0; z < 0.95; z += 0.001) {
+        const Eigen::Vector3d at = robot.T_BC().inverse() * (post.base + z * post.axis);
+        const auto pixel = project(robot.camera, at);
+        if (!pixel || std::abs(pixel->y() - row) > nearest) continue;
+        nearest = std::abs(pixel->y() - row);
+        bearing = -std::atan(at.x() / at.z());
+    }
+    return bearing;
+}
+
+TEST(UprightDetector, MeasuresPostsAtAnyDistanceAndTilt) {
+    for (const double distance : {0.6, 1.5, 3.0, 6.0}) {
+        for (const double roll : {0.0, 10.0, -20.0}) {
+            for (const double left : {0.0, 0.2}) {
+                Robot robot;
+                robot.roll = roll * degree;
+                const Cylinder post = post_at(distance, left * distance);
+                Candidates c = empty_frame(robot.camera);
+                add(c, robot, post);
+                const auto posts = detect(c, robot, robot.told(0.01, -0.015));
+                ASSERT_EQ(posts.size(), 1U) << distance << " m, " << roll;
+                EXPECT_NEAR(posts[0].distance_m, distance_of(robot, post), 0.01 * distance);
+                EXPECT_NEAR(posts[0].bearing_rad, bearing_in(robot, post, posts[0]), 0.01);
+            }
+        }
+    }
+}
+
+TEST(UprightDetector, TakesAnEdgeThatIsSeenInAThirdOfItsRows) {
+    // Something of the same colour stands beside the rest: there the colour goes on, and ends far away.
+    Robot robot;
+    const Cylinder post = post_at(3.0, 0.0);
+    for (const bool upper : {true, false}) {
+        Candidates c = empty_frame(robot.camera);
+        add(c, robot, post, [&](Row& row, double from_top) {
+            if (upper ? from_top < 0.65 : from_top > 0.35) row.left -= 70.0;
+        });
+        const auto posts = detect(c, robot, robot.told());
+        ASSERT_EQ(posts.size(), 1U) << upper;
+        EXPECT_NEAR(posts[0].distance_m, 3.0, 0.05);
+    }
+}
+
+TEST(UprightDetector, FindsAPostOfWhichTheLowerHalfIsHidden) {
+    Robot robot;
+    for (const double distance : {1.5, 3.0, 6.0}) {
+        Candidates c = empty_frame(robot.camera);
+        add(c, robot, post_at(distance, 0.0), [](Row& row, double from_top) { row.shows = from_top < 0.55; });
+        const auto posts = detect(c, robot, robot.told());
+        ASSERT_EQ(posts.size(), 1U) << distance;
+        EXPECT_NEAR(posts[0].distance_m, distance, 0.03 * distance);
+    }
+}
+
+TEST(UprightDetector, TellsLeftFromRightOfAGoalAndLeavesItsCrossbar) {
+    Robot robot;
+    Candidates c = empty_frame(robot.camera);
+    add(c, robot, post_at(4.0, 0.75));
+    add(c, robot, post_at(4.0, -0.75));
+    Cylinder crossbar{{4.0, 0.75, 0.9}, -Eigen::Vector3d::UnitY(), 1.5, 0.05};
+    for (int y = 2; y < c.height; y += spacing) {
+        const double slope = (239.5 - y) / robot.camera.fy - std::tan(robot.pitch);
+        if (std::abs(slope - (crossbar.base.z() - robot.height) / 4.0) > 0.05 / 4.0) continue;
+        c.segments.push_back({Orientation::horizontal, y, 210, 425});
+    }
+    const auto posts = detect(c, robot, robot.told());
+    ASSERT_EQ(posts.size(), 2U);
+    EXPECT_EQ(posts[0].side, PostSide::left);
+    EXPECT_EQ(posts[1].side, PostSide::right);
+    for (const Post& post : posts) EXPECT_NEAR(post.distance_m, std::hypot(4.0, 0.75), 0.05);
+}
+
+TEST(UprightDetector, DoesNotTakePolesOfOtherHeightsForPosts) {
+    Robot robot;
+    for (const double top : {0.4, 2.2}) {
+        Candidates c = empty_frame(robot.camera);
+        add(c, robot, post_at(3.0, 0.0, top));
+        EXPECT_TRUE(detect(c, robot, robot.told()).empty()) << top << " m";
+    }
+}
+
+TEST(UprightDetector, DoesNotTakeWhatHangsOnAWallForAPost) {
+    // As wide and as high as a post two metres away, but a metre above the ground.
+    Robot robot;
+    Candidates c = empty_frame(robot.camera);
+    Cylinder poster = post_at(2.0, 0.0);
+    poster.base.z() = 0.6;
+    add(c, robot, poster);
+    EXPECT_TRUE(detect(c, robot, robot.told()).empty());
+    EXPECT_EQ(detect(c, robot, std::nullopt).size(), 1U) << "nobody knows where the ground is";
+}
+
+TEST(UprightDetector, NeedsNoPose) {
+    for (const double roll : {0.0, 15.0, -15.0}) {
+        Robot robot;
+        robot.roll = roll * degree;
+        Candidates c = empty_frame(robot.camera);
+        add(c, robot, post_at(2.5, 0.6));
+        add(c, robot, post_at(2.5, -0.9));
+        const auto posts = detect(c, robot, std::nullopt);
+        ASSERT_EQ(posts.size(), 2U) << roll;
+        EXPECT_NEAR(posts[0].distance_m, std::hypot(2.5, 0.6), 0.1);
+        EXPECT_NEAR(posts[1].distance_m, std::hypot(2.5, 0.9), 0.1);
+    }
+}
+
+TEST(UprightDetector, FollowsALens) {
+    Robot robot;
+    robot.camera.distortion = {-0.2, 0.05, 0.0, 0.0, 0.0};
+    const Cylinder post = post_at(2.0, 0.8);
+    Robot plain;
+    Candidates drawn = empty_frame(plain.camera);
+    add(drawn, plain, post);
+    Candidates c = empty_frame(robot.camera);
+    for (std::size_t i = 0; i < drawn.left_edges.size(); ++i) {
+        // Rows of the bent picture: where its own scan-lines meet the bent edges.
+        const auto bent = [&](const Eigen::Vector2d& p) {
+            return pixel_from_normalised(robot.camera, normalised_from_pixel(plain.camera, p));
+        };
+        const Eigen::Vector2d l = bent(drawn.left_edges[i]), r = bent(drawn.right_edges[i]);
+        const int y = static_cast<int>(std::lround(l.y()));
+        c.segments.push_back(
+            {Orientation::horizontal, y, static_cast<int>(std::ceil(l.x())), static_cast<int>(r.x())});
+        c.left_edges.emplace_back(l.x(), y);
+        c.right_edges.emplace_back(r.x(), y);
+    }
+    const auto posts = detect(c, robot, robot.told());
+    ASSERT_EQ(posts.size(), 1U);
+    EXPECT_NEAR(posts[0].distance_m, std::hypot(2.0, 0.8), 0.05);
+}
+
+TEST(UprightDetector, ReportsAPostThatTheBorderCuts) {
+    Robot robot;
+    Candidates c = empty_frame(robot.camera);
+    add(c, robot, post_at(1.5, -0.87));
+    const auto posts = detect(c, robot, robot.told());
+    ASSERT_EQ(posts.size(), 1U);
+    EXPECT_TRUE(posts[0].has(post_flag::right_edge_missing));
+    EXPECT_TRUE(posts[0].has(post_flag::no_distance));
+}
+
+TEST(UprightDetector, FindsNothingInNothingAndNoise) {
+    Robot robot;
+    EXPECT_TRUE(detect(Candidates{}, robot, robot.told()).empty());
+    EXPECT_TRUE(detect(empty_frame(robot.camera), robot, std::nullopt).empty());
+    Random random(3);
+    for (int frame = 0; frame < 20; ++frame) {
+        Candidates c = empty_frame(robot.camera);
+        for (int y = 2; y < c.height; y += spacing) {
+            const int at = static_cast<int>(random.index(600));
+            const int length = 4 + static_cast<int>(random.index(30));
+            c.segments.push_back({Orientation::horizontal, y, at, at + length});
+            c.left_edges.emplace_back(at - 0.5, y);
+            c.right_edges.emplace_back(at + length + 0.5, y);
+        }
+        EXPECT_TRUE(detect(c, robot, robot.told()).empty()) << frame;
+    }
+}
+
+TEST(UprightDetector, BearsPosesThatMakeNoSense) {
+    Robot robot;
+    Candidates c = empty_frame(robot.camera);
+    add(c, robot, post_at(3.0, 0.0));
+    CameraPose pose = robot.told();
+    pose.T_BC.translation().z() = std::nan("");
+    EXPECT_EQ(detect(c, robot, pose).size(), 1U) << "as without a pose";
+    pose = robot.told();
+    pose.covariance.setConstant(std::nan(""));
+    EXPECT_EQ(detect(c, robot, pose).size(), 1U);
+    pose = robot.told();
+    pose.covariance.setZero();
+    EXPECT_EQ(detect(c, robot, pose).size(), 1U) << "known exactly";
+    pose.T_BC = camera_in_body(0.42, 0.0, 0.5 * std::numbers::pi);
+    EXPECT_TRUE(detect(c, robot, pose).empty()) << "looks along the vertical";
+}
+
+TEST(UprightDetector, RemembersNothingAndAllocatesNothingOnceWarm) {
+    Robot robot;
+    UprightDetector detector({}, Field{});
+    std::vector<Candidates> frames;
+    for (const double distance : {0.7, 1.5, 3.0, 6.0}) {
+        frames.push_back(empty_frame(robot.camera));
+        add(frames.back(), robot, post_at(distance, 0.0));
+        add(frames.back(), robot, post_at(distance, 0.4 * distance));
+    }
+    frames.push_back(empty_frame(robot.camera));
+    add(frames.back(), robot, post_at(1.5, -0.87));
+    for (const Candidates& c : frames) detector.detect(c, robot.camera, robot.told());
+    for (const Candidates& c : frames) {
+        const std::vector<Post> fresh = detect(c, robot, robot.told());
+        const std::vector<Post>& again = detector.detect(c, robot.camera, robot.told());
+        ASSERT_EQ(fresh.size(), again.size());
+        for (std::size_t i = 0; i < fresh.size(); ++i) {
+            EXPECT_EQ(fresh[i].left_top, again[i].left_top);
+            EXPECT_EQ(fresh[i].distance_m, again[i].distance_m);
+        }
+    }
+    if (!test::allocations_are_counted()) GTEST_SKIP() << "another heap than the C library's";
+    const test::AllocationCount count;
+    for (const Candidates& c : frames) detector.detect(c, robot.camera, robot.told());
+    EXPECT_EQ(count.so_far(), 0U);
+}
+
+}  // namespace
+}  // namespace goalmouth
