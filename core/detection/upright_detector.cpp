@@ -13,7 +13,7 @@ namespace goalmouth {
 namespace {
 
 constexpr std::size_t most_peaks = 10;       // of a side, for one roll
-constexpr std::size_t most_hypotheses = 40;  // that are judged
+constexpr std::size_t most_hypotheses = 24;  // that are judged
 
 /// Keeps posts from left to right.
 void insert(std::vector<Post>& posts, const Post& post) {
@@ -29,26 +29,32 @@ UprightDetector::UprightDetector(const UprightDetectorParameters& parameters, co
       size_{0.5 * field.post_diameter, field.goal_height + 0.5 * field.post_diameter},
       judge_(parameters.search, size_) {}
 
-double UprightDetector::promise(const UprightView& view, const UprightEdges& edges, double tolerance) const {
+/// Of the rows it would be seen in were all of it in the picture, some are reason enough.
+double UprightDetector::usual_rows(const UprightEdges& edges) const {
+    constexpr double usual = 0.4;
+    const double distance = size_.radius / std::sin(edges.half_angle());
+    return usual * size_.height / distance * view_scale_ / row_step_;
+}
+
+/// Points near its edges and between its ends; 0 where either edge has next to none.
+int UprightDetector::points_along(const UprightView& view, const UprightEdges& edges,
+                                  double tolerance) const {
     const double distance = size_.radius / std::sin(edges.half_angle());
     const double height = view.height().value_or(0.5 * size_.height);
     const double slack = 2.0 * view.attitude_sigma() + 0.1 * size_.height / distance;
     const double top = (size_.height - height) / distance + slack, base = -height / distance - slack;
-    int points = 0;
     const auto count = [&](const std::vector<UprightPoint>& from, double azimuth) {
         int n = 0;
         for (const UprightPoint& p : from)
-            n += p.ray.slope < top && p.ray.slope > base &&
-                 std::abs(p.ray.azimuth - azimuth - edges.roll * p.ray.slope) < tolerance;
-        points += n;
+            n += static_cast<int>(p.ray.slope < top) & static_cast<int>(p.ray.slope > base) &
+                 static_cast<int>(std::abs(p.ray.azimuth - azimuth - edges.roll * p.ray.slope) < tolerance);
         return n;
     };
     constexpr int least = 3;
-    if (count(seen_.left, edges.left) < least || count(seen_.right, edges.right) < least) return 0.0;
-    // Of the rows it would be seen in were all of it in the picture, some are reason enough.
-    const double rows = size_.height / distance * view_scale_ / row_step_;
-    constexpr double usual = 0.4;
-    return points - usual * rows;
+    const int left = count(seen_.left, edges.left);
+    if (left < least) return 0;
+    const int right = count(seen_.right, edges.right);
+    return right < least ? 0 : left + right;
 }
 
 void UprightDetector::suggest(const UprightView& view, double tolerance) {
@@ -64,6 +70,7 @@ void UprightDetector::suggest(const UprightView& view, double tolerance) {
     const double narrowest = 2.0 * std::asin(std::min(1.0, size_.radius / search.farthest));
     const double widest = 2.0 * std::asin(std::min(1.0, size_.radius / search.nearest));
     constexpr int least_points = 3;
+    constexpr double least_promise = -2.0;
     for (int i = -steps; i <= steps; ++i) {
         const double roll = i * step;
         votes_.find(seen_.left, roll, tolerance, least_points, most_peaks, left_);
@@ -73,9 +80,11 @@ void UprightDetector::suggest(const UprightView& view, double tolerance) {
                 const double width = right.azimuth - left.azimuth;
                 if (width < narrowest || width > widest) continue;
                 Hypothesis next{{left.azimuth, right.azimuth, roll}, 0.0};
-                next.promise = promise(view, next.edges, 1.5 * tolerance) -
-                               0.5 * (roll / roll_sigma_) * (roll / roll_sigma_);
-                if (next.promise > -2.0) hypotheses_.push_back(next);
+                const double leaves = 0.5 * (roll / roll_sigma_) * (roll / roll_sigma_);
+                const double rows = usual_rows(next.edges) + leaves;
+                if (left.near + right.near - rows <= least_promise) continue;  // counted at most
+                next.promise = points_along(view, next.edges, 1.5 * tolerance) - rows;
+                if (next.promise > least_promise) hypotheses_.push_back(next);
             }
         }
     }

@@ -55,7 +55,8 @@ class UprightDetector {
     };
 
     void suggest(const UprightView& view, double tolerance);
-    double promise(const UprightView& view, const UprightEdges& edges, double tolerance) const;
+    double usual_rows(const UprightEdges& edges) const;
+    int points_along(const UprightView& view, const UprightEdges& edges, double tolerance) const;
     /// Least squares of the points near its edges and between its ends.
     UprightEdges fitted(const UprightView& view, const UprightEdges& edges, double tolerance) const;
     bool passes(const UprightEvidence& evidence) const;

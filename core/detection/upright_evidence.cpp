@@ -11,16 +11,15 @@ constexpr double both_edges = 2.0, one_edge = 1.0, no_edge = -0.3, hidden = -0.8
 // And one beyond them.
 constexpr double goes_on_beside = -0.75, goes_on = -5.0;
 
-/// Slopes of the rows along an upright line; between every few of them as good as straight.
+/// Slopes of the rows along an upright line: followed in a few of them, a parabola in between.
 template <class Rows>
 void set_slopes(const std::vector<int>& pixel_rows, const UprightView& view, const UprightEdges& edges,
                 Rows& rows) {
-    constexpr std::size_t apart = 8;  // rows
-    double near = 0.0;                // px, column of the line in the row before
+    double near = 0.0;  // px, column of the line in the row before
     if (const auto level = view.pixel({edges.middle(0.0), 0.0})) near = level->x();
     const auto slope_in = [&](int y) {
         double slope = 0.0;
-        for (int round = 0; round < 3; ++round) {
+        for (int round = 0; round < 2; ++round) {
             slope = view.ray({near, static_cast<double>(y)}).slope;
             const auto there = view.pixel({edges.middle(slope), slope});
             if (!there) break;
@@ -28,19 +27,29 @@ void set_slopes(const std::vector<int>& pixel_rows, const UprightView& view, con
         }
         return slope;
     };
-    double before = 0.0;
-    for (std::size_t i = 0; i < rows.size(); i += apart) {
-        const double here = slope_in(pixel_rows[i]);
-        rows[i].slope = here;
-        for (std::size_t k = i < apart ? i : i - apart + 1; k < i; ++k) {
-            const double share = static_cast<double>(pixel_rows[k] - pixel_rows[i - apart]) /
-                                 static_cast<double>(pixel_rows[i] - pixel_rows[i - apart]);
-            rows[k].slope = before + share * (here - before);
+    constexpr std::size_t stretches = 4;
+    const std::size_t last = rows.size() - 1;
+    double at_start = slope_in(pixel_rows.front());
+    for (std::size_t k = 0; k < stretches; ++k) {
+        const std::size_t from = last * k / stretches, to = last * (k + 1) / stretches;
+        rows[from].slope = at_start;
+        if (to == from) continue;
+        const double y0 = pixel_rows[from], y2 = pixel_rows[to];
+        const std::size_t middle = (from + to) / 2;
+        const double y1 = pixel_rows[middle];
+        const double at_middle = middle > from ? slope_in(pixel_rows[middle]) : at_start;
+        const double at_end = slope_in(pixel_rows[to]);
+        for (std::size_t i = from + 1; i <= to; ++i) {
+            const double y = pixel_rows[i];
+            double slope = at_start + (at_end - at_start) * (y - y0) / (y2 - y0);
+            if (middle > from) {
+                const double bow = at_middle - at_start - (at_end - at_start) * (y1 - y0) / (y2 - y0);
+                slope += bow * (y - y0) * (y2 - y) / ((y1 - y0) * (y2 - y1));
+            }
+            rows[i].slope = slope;
         }
-        before = here;
+        at_start = at_end;
     }
-    for (std::size_t k = (rows.size() - 1) / apart * apart + 1; k < rows.size(); ++k)
-        rows[k].slope = slope_in(pixel_rows[k]);
 }
 
 }  // namespace
@@ -49,30 +58,24 @@ void UprightJudge::look(const UprightCandidates& candidates, const UprightView& 
                         const UprightEdges& edges, double tolerance) {
     rows_.assign(candidates.rows.size(), {});
     set_slopes(candidates.rows, view, edges, rows_);
-    const auto row_of = [&](double y) -> Row* {
-        const auto at = std::lower_bound(candidates.rows.begin(), candidates.rows.end(), y - 0.5);
-        if (at == candidates.rows.end() || std::abs(*at - y) > 0.5) return nullptr;
-        return &rows_[static_cast<std::size_t>(at - candidates.rows.begin())];
+    const auto mark = [&](const std::vector<UprightPoint>& points, double azimuth, bool Row::*edge) {
+        for (const UprightPoint& p : points)
+            if (p.row >= 0 && std::abs(p.ray.azimuth - azimuth - edges.roll * p.ray.slope) < tolerance)
+                rows_[static_cast<std::size_t>(p.row)].*edge = true;
     };
-    for (const UprightPoint& p : candidates.left) {
-        if (std::abs(p.ray.azimuth - edges.left - edges.roll * p.ray.slope) > tolerance) continue;
-        if (Row* row = row_of(p.pixel.y())) row->left = true;
-    }
-    for (const UprightPoint& p : candidates.right) {
-        if (std::abs(p.ray.azimuth - edges.right - edges.roll * p.ray.slope) > tolerance) continue;
-        if (Row* row = row_of(p.pixel.y())) row->right = true;
-    }
+    mark(candidates.left, edges.left, &Row::left);
+    mark(candidates.right, edges.right, &Row::right);
     const double width = edges.right - edges.left;
     for (const UprightRun& run : candidates.runs) {
         const double begin = run.start.azimuth - edges.roll * run.start.slope - edges.left;
         const double end = run.end.azimuth - edges.roll * run.end.slope - edges.left;
         const double overlap = std::min(end, width) - std::max(begin, 0.0);
         if (!(overlap > 0.0) || overlap < 0.5 * width) continue;
-        if (Row* row = row_of(run.row)) {
-            row->covered = true;
-            row->cut = row->cut || (run.cut_left && begin > -tolerance) ||
-                       (run.cut_right && end < width + tolerance);
-        }
+        if (run.row < 0) continue;
+        Row& row = rows_[static_cast<std::size_t>(run.row)];
+        row.covered = true;
+        row.cut =
+            row.cut || (run.cut_left && begin > -tolerance) || (run.cut_right && end < width + tolerance);
     }
 }
 

@@ -41,43 +41,55 @@ std::optional<Eigen::Vector2d> UprightView::pixel(const UprightRay& ray) const {
 }
 
 void UprightCandidates::take(const Candidates& candidates, const UprightView& view) {
+    find_rows(candidates);
+    const auto row_at = [&](double y) {
+        const auto i = std::lround(y);
+        return i < 0 || i >= static_cast<long>(row_of_.size()) ? -1 : row_of_[static_cast<std::size_t>(i)];
+    };
     const auto convert = [&](const std::vector<Eigen::Vector2d>& from, std::vector<UprightPoint>& to) {
         to.clear();
-        for (const Eigen::Vector2d& p : from) to.push_back({view.ray(p), p});
+        for (const Eigen::Vector2d& p : from) to.push_back({view.ray(p), p, row_at(p.y())});
     };
     convert(candidates.left_edges, left);
     convert(candidates.right_edges, right);
-
     runs.clear();
-    rows.clear();
     for (const CandidateSegment& s : candidates.segments) {
         if (s.orientation != Orientation::horizontal) continue;
-        runs.push_back({view.ray({s.start - 0.5, s.line}), view.ray({s.end + 0.5, s.line}), s.line,
+        runs.push_back({view.ray({s.start - 0.5, s.line}), view.ray({s.end + 0.5, s.line}), row_at(s.line),
                         s.start <= 0, s.end >= candidates.width - 1});
-        rows.push_back(s.line);
     }
+}
+
+void UprightCandidates::find_rows(const Candidates& candidates) {
+    rows.clear();
+    for (const CandidateSegment& s : candidates.segments)
+        if (s.orientation == Orientation::horizontal && s.line >= 0 && s.line < candidates.height)
+            rows.push_back(s.line);
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    if (rows.size() < 2) return;
-
-    steps_.clear();
-    for (std::size_t i = 0; i + 1 < rows.size(); ++i) steps_.push_back(rows[i + 1] - rows[i]);
-    const auto middle = steps_.begin() + static_cast<std::ptrdiff_t>(steps_.size() / 2);
-    std::nth_element(steps_.begin(), middle, steps_.end());
-    const int step = *middle;
-    all_.clear();
-    for (int row = rows.front() - step; row >= 0; row -= step) all_.push_back(row);
-    std::reverse(all_.begin(), all_.end());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (i > 0) {
-            const int between = rows[i] - rows[i - 1];
-            const int missing = (between + step / 2) / step - 1;
-            for (int k = 1; k <= missing; ++k) all_.push_back(rows[i - 1] + k * between / (missing + 1));
+    if (rows.size() > 1) {
+        steps_.clear();
+        for (std::size_t i = 0; i + 1 < rows.size(); ++i) steps_.push_back(rows[i + 1] - rows[i]);
+        const auto middle = steps_.begin() + static_cast<std::ptrdiff_t>(steps_.size() / 2);
+        std::nth_element(steps_.begin(), middle, steps_.end());
+        const int step = *middle;
+        all_.clear();
+        for (int row = rows.front() - step; row >= 0; row -= step) all_.push_back(row);
+        std::reverse(all_.begin(), all_.end());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (i > 0) {
+                const int between = rows[i] - rows[i - 1];
+                const int missing = (between + step / 2) / step - 1;
+                for (int k = 1; k <= missing; ++k) all_.push_back(rows[i - 1] + k * between / (missing + 1));
+            }
+            all_.push_back(rows[i]);
         }
-        all_.push_back(rows[i]);
+        for (int row = rows.back() + step; row < candidates.height; row += step) all_.push_back(row);
+        rows.swap(all_);
     }
-    for (int row = rows.back() + step; row < candidates.height; row += step) all_.push_back(row);
-    rows.swap(all_);
+    row_of_.assign(static_cast<std::size_t>(std::max(0, candidates.height)), -1);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        row_of_[static_cast<std::size_t>(rows[i])] = static_cast<int>(i);
 }
 
 }  // namespace goalmouth

@@ -21,7 +21,7 @@ struct UprightRay {
 /// A segment of a scan-line between its outer pixel borders.
 struct UprightRun {
     UprightRay start, end;
-    int row = 0;             // px
+    int row = -1;            // which of the picture's scan-lines
     bool cut_left = false;   // it begins at the picture's border
     bool cut_right = false;  // it ends there
 };
@@ -29,6 +29,7 @@ struct UprightRun {
 struct UprightPoint {
     UprightRay ray;
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+    int row = -1;  // which of the picture's scan-lines; −1: none
 };
 
 /// What a camera sees, turned so that the vertical is upright: there all of an upright post's edge has one
@@ -69,7 +70,10 @@ class UprightCandidates {
     void take(const Candidates& candidates, const UprightView& view);
 
   private:
+    void find_rows(const Candidates& candidates);
+
     std::vector<int> steps_, all_;
+    std::vector<int> row_of_;  // by row of the picture
 };
 
 }  // namespace goalmouth

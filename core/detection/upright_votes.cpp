@@ -28,7 +28,10 @@ void AzimuthVotes::find(const std::vector<UprightPoint>& points, double roll, do
         const bool taken = std::any_of(peaks.begin(), peaks.end(), [&](const AzimuthPeak& p) {
             return std::abs(p.azimuth - mean) < 2.0 * tolerance;
         });
-        if (!taken) peaks.push_back({mean, w.points});
+        if (taken) continue;
+        const auto from = std::lower_bound(places_.begin(), places_.end(), mean - 2.0 * tolerance);
+        const auto to = std::upper_bound(from, places_.end(), mean + 2.0 * tolerance);
+        peaks.push_back({mean, w.points, static_cast<int>(to - from)});
     }
 }
 

@@ -9,7 +9,8 @@ namespace goalmouth {
 /// Azimuth at slope 0 that many edge points have in common, for one roll.
 struct AzimuthPeak {
     double azimuth = 0.0;  // rad, the mean of theirs
-    int points = 0;
+    int points = 0;        // within the window
+    int near = 0;          // within twice the tolerance of it
 };
 
 /// Where edge points pile up when each votes for azimuth − roll·slope: within windows of ± `tolerance` [rad],
