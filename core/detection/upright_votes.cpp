@@ -14,9 +14,11 @@ void AzimuthVotes::find(const std::vector<UprightPoint>& points, double roll, do
     std::sort(places_.begin(), places_.end());
     windows_.clear();
     for (std::size_t first = 0, end = 0; first < places_.size(); ++first) {
+        const std::size_t end_before = end;
         while (end < places_.size() && places_[end] - places_[first] <= 2.0 * tolerance) ++end;
         const auto count = static_cast<int>(end - first);
-        if (count >= least) windows_.push_back({count, first});
+        // One that ends where the one before does is a part of it.
+        if (count >= least && end > end_before) windows_.push_back({count, first});
     }
     std::sort(windows_.begin(), windows_.end(), [](const Window& a, const Window& b) {
         return a.points != b.points ? a.points > b.points : a.first < b.first;

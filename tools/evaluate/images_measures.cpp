@@ -36,8 +36,9 @@ std::optional<ErrorStatistics> pooled(const std::vector<MeasuredPost>& posts,
 EdgeErrors edge_errors(const ReferencePost& truth, const Post& detection, int picture_width) {
     const double top = 0.5 * (truth.left_top.y() + truth.right_top.y());
     const double base = 0.5 * (truth.left_base.y() + truth.right_base.y());
+    // So near to the picture's side an outline follows that rather than the post.
     const auto inside = [&](std::optional<double> x) {
-        return x && *x >= 0.0 && *x <= picture_width - 1.0 ? x : std::nullopt;
+        return x && *x >= cut_margin && *x <= picture_width - 1.0 - cut_margin ? x : std::nullopt;
     };
     const auto unless = [&](std::uint32_t flag, std::optional<double> x) {
         return detection.has(flag) ? std::nullopt : x;

@@ -15,7 +15,8 @@ namespace goalmouth {
 inline constexpr std::array<double, 3> edge_heights{0.25, 0.5, 0.75};
 
 /// How far a detection's edges lie from an outline's [px along the row, + right], at edge_heights; nothing
-/// where the outline's edge lies outside the picture or the detection has none.
+/// where the outline's edge ends at the picture's side, and so may go on beyond it, or the detection has
+/// none.
 struct EdgeErrors {
     std::array<std::optional<double>, 3> left, right, width;
 };
