@@ -123,6 +123,17 @@ EdgeConsensus::Result EdgeConsensus::find(std::array<EdgeRows, 2>& rows, double 
         std::all_of(pieces_[1].begin(), pieces_[1].end(), agrees))
         return result;  // with one another, and with the fit so far
 
+    for (std::size_t side = 0; side < 2; ++side) {
+        columns_[side].assign(pieces_[side].size());
+        for (std::size_t k = 0; k < pieces_[side].size(); ++k) {
+            const Piece& p = pieces_[side][k];
+            columns_[side].place[k] = static_cast<float>(p.place);
+            columns_[side].turn[k] = static_cast<float>(p.turn);
+            columns_[side].per_square[k] = static_cast<float>(1.0 / (9.0 * p.variance));
+            columns_[side].share[k] = static_cast<float>(p.share);
+        }
+    }
+    evidence_.assign(std::max(pieces_[0].size(), pieces_[1].size()));
     constexpr double most = 3.0, step = 0.15;  // px, at the edges' ends
     double best = -1e9, best_turn = 0.0;
     std::array<double, 2> place{};
@@ -131,13 +142,14 @@ EdgeConsensus::Result EdgeConsensus::find(std::array<EdgeRows, 2>& rows, double 
         double sum = 0.0;
         std::array<double, 2> at{};
         for (std::size_t side = 0; side < 2; ++side) {
-            double most_here = 0.0;
-            for (const Piece& p : pieces_[side]) {
-                const double a = p.place - turn * p.turn;
-                const double e = evidence(pieces_[side], a, turn);
-                if (e > most_here) most_here = e, at[side] = a;
+            evidence_of_places(columns_[side], static_cast<float>(turn), evidence_);
+            float most_here = 0.0F;
+            for (std::size_t k = 0; k < pieces_[side].size(); ++k) {
+                if (!(evidence_[k] > most_here)) continue;
+                most_here = evidence_[k];
+                at[side] = pieces_[side][k].place - turn * pieces_[side][k].turn;
             }
-            sum += most_here;
+            sum += static_cast<double>(most_here);
         }
         const double leaves = (roll + turn) / sigma;
         sum -= 0.5 * leaves * leaves + 1e-3 * std::abs(end);  // of equals the least

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/refinement/edge_rows.h"
+#include "core/refinement/piece_evidence.h"
 
 #include <array>
 #include <vector>
@@ -38,6 +39,8 @@ class EdgeConsensus {
     static double evidence(const std::vector<Piece>& pieces, double place, double turn);
 
     std::array<std::vector<Piece>, 2> pieces_;
+    std::array<EdgePieceColumns, 2> columns_;
+    RowColumn<float> evidence_;
     std::vector<float> sorted_;
 };
 

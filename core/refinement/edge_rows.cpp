@@ -17,25 +17,16 @@ void EdgeRows::assign(std::size_t rows) {
 }
 
 RowLayout layout_rows(int first_row, int last_row, int most_rows) {
-    constexpr int most_averaged = 2;
     RowLayout layout;
     layout.first_row = first_row;
     layout.last_row = last_row;
     const int rows = std::max(0, last_row - first_row + 1);
-    layout.bin = std::clamp((rows + most_rows - 1) / most_rows, 1, most_averaged);
+    layout.bin = std::clamp((rows + most_rows - 1) / most_rows, 1, RowLayout::most_averaged);
     layout.count = std::min(rows / layout.bin, most_rows);
     const int span = rows - layout.bin;
     layout.pitch =
         layout.count > 1 ? std::max<double>(layout.bin, static_cast<double>(span) / (layout.count - 1)) : 1.0;
     return layout;
-}
-
-RowLayout RowLayout::every(int n) const {
-    RowLayout some = *this;
-    some.first_row += (n - 1) / 2 * pitch;
-    some.count = std::max(1, (count - (n - 1) / 2 + n - 1) / n);
-    some.pitch = n * pitch;
-    return some;
 }
 
 }  // namespace goalmouth

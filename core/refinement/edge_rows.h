@@ -106,8 +106,10 @@ struct EdgeRows {
 
 /// How rows of a picture are gathered.
 struct RowLayout {
-    double first_row = 0.0;
-    double last_row = 0.0;
+    static constexpr int most_averaged = 4;
+
+    int first_row = 0;
+    int last_row = 0;
     int bin = 1;         // neighbouring rows averaged
     double pitch = 1.0;  // px from one bin to the next
     int count = 0;       // bins
@@ -116,12 +118,10 @@ struct RowLayout {
 
     /// The uppermost row of a bin.
     int top(int i) const { return static_cast<int>(std::lround(first_row + i * pitch)); }
-    /// Every nth of its bins, from the middle of the first n on.
-    RowLayout every(int n) const;
 };
 
-/// Rows for at most `most_rows` measurements of each edge between two rows. More rows than that are averaged
-/// in pairs, which keeps their information; of still more, some are left out.
+/// Rows for at most `most_rows` measurements of each edge between two rows. Of more rows than that up
+/// to four neighbours are averaged, which keeps their information; of still more, some are left out.
 RowLayout layout_rows(int first_row, int last_row, int most_rows);
 
 }  // namespace goalmouth

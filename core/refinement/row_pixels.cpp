@@ -92,8 +92,8 @@ void read_pairs(const RawPairs& raw, int bin, const PostColour& colour, std::siz
         auto y = hn::Zero(d), cb = hn::Zero(d), cr = hn::Zero(d), count = hn::Zero(d);
         for (std::size_t i = 0; i < most_pairs(pairs); ++i) {
             Colour c = pair_colour(raw.bins[0], i, lane, colour.response);
-            if (bin == 2) {
-                const Colour below = pair_colour(raw.bins[1], i, lane, colour.response);
+            for (std::size_t k = 1; k < static_cast<std::size_t>(bin); ++k) {
+                const Colour below = pair_colour(raw.bins[k], i, lane, colour.response);
                 c = {hn::Add(c.y, below.y), hn::Add(c.cb, below.cb), hn::Add(c.cr, below.cr)};
             }
             const auto inside = hn::Lt(number(static_cast<float>(i)), pairs);

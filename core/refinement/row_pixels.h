@@ -15,7 +15,7 @@ namespace goalmouth {
 /// one before them and one behind.
 struct RawPairs {
     using Rows = std::array<std::array<std::uint32_t, EdgeRows::block>, EdgeRows::most_pairs + 2>;
-    alignas(64) std::array<Rows, 2> bins{};  // of each of the rows averaged
+    alignas(64) std::array<Rows, RowLayout::most_averaged> bins{};  // of each of the rows averaged
 };
 
 /// What lies well outside the edge in each row: sums over pairs.

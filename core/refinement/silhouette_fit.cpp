@@ -63,16 +63,6 @@ PostSilhouette upright(const PostSilhouette& post, const SilhouettePrior& prior)
 
 }  // namespace
 
-/// When a fit does what, in numbers of iterations.
-struct SilhouetteFitter::Course {
-    int most_iterations;
-    int least_iterations;       // before which it does not end
-    int first_blur, last_blur;  // while the blur is fitted
-    int first_judged;           // from then on rows are judged by their pixels; before, blur is not known
-    int last_judged;            // thereafter rows that come and go with each step would keep it from settling
-    std::array<int, 2> asked;   // when it is found out where rows apart from the others lie
-};
-
 namespace {
 
 /// px to the other edge, where that is near enough to matter.
@@ -213,13 +203,13 @@ void SilhouetteFitter::fit_blur(SilhouetteFit& state) const {
     state.digital = std::clamp(state.digital + change[1], 0.0, 1.0);
 }
 
-bool SilhouetteFitter::settle(const Task& task, RowLayout layout, const Course& course,
-                              SilhouetteFit& state) {
+bool SilhouetteFitter::settle(const Task& task, RowLayout layout, SilhouetteFit& state) {
+    constexpr int most_iterations = 10;
+    constexpr int settled = 5;  // then rows that come and go with the step would keep it from settling
     constexpr int most_readings = 3;
     int readings = 0;
     bool read_anew = true;
-    state.converged = false;
-    for (int iteration = 0; iteration < course.most_iterations; ++iteration) {
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
         for (std::size_t side = 0; side < 2; ++side) planes_[side] = state.post.plane(sides[side]);
         profile_.set_blur(state.blur, state.digital);
         const bool just_read = read_anew;
@@ -228,15 +218,13 @@ bool SilhouetteFitter::settle(const Task& task, RowLayout layout, const Course& 
             ++readings;
             read_anew = false;
         }
-        const bool blur_open = iteration >= course.first_blur && iteration <= course.last_blur;
+        const bool blur_open = iteration > 0 && iteration <= settled;
         measure(state, blur_open);
-        const bool ask_all = iteration == course.asked[0] || iteration == course.asked[1] ||
-                             (just_read && iteration > course.asked[1]);
+        const bool ask_all = iteration == 2 || iteration == 4 || (just_read && iteration > 4);
         if (ask_all)
             for (std::size_t side = 0; side < 2; ++side)
                 if (edges_[side]) measure_apart(state, side);
-        if (iteration <= course.last_judged || just_read)
-            gate_.weigh(rows_, state.noise, profile_, iteration >= course.first_judged);
+        if (iteration < settled || just_read) gate_.weigh(rows_, state.noise, profile_, iteration > 0);
         if (ask_all) {
             turns(state);
             state.consensus =
@@ -273,7 +261,7 @@ bool SilhouetteFitter::settle(const Task& task, RowLayout layout, const Course& 
                                                         std::abs(step[roll]) * 0.3});
         // What is still to gain, in units of the whole misfit: a fifth of a sigma.
         constexpr double little = 0.05;
-        if (iteration >= course.least_iterations && (shift < still || pull.dot(step) < little)) {
+        if (iteration >= 3 && (shift < still || pull.dot(step) < little)) {
             state.converged = true;
             break;
         }
@@ -303,30 +291,12 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
                                     const PostSilhouette& start, const SilhouettePrior& prior,
                                     const RowLayout& layout, const std::array<bool, 2>& edges,
                                     double least_contrast) {
-    constexpr Course from_rough{.most_iterations = 10,
-                                .least_iterations = 3,
-                                .first_blur = 1,
-                                .last_blur = 5,
-                                .first_judged = 1,
-                                .last_judged = 4,
-                                .asked = {2, 4}};
-    constexpr Course from_settled{.most_iterations = 4,
-                                  .least_iterations = 1,
-                                  .first_blur = 0,
-                                  .last_blur = 0,
-                                  .first_judged = 0,
-                                  .last_judged = 0,
-                                  .asked = {0, 0}};
-    constexpr int enough_rows = 64;  // to settle everything but the noise
     SilhouetteFit state;
     state.post = start;
     state.blur = 0.9;
     edges_ = edges;
     const Task task{image, camera, colour, prior, least_contrast};
-    const int one_of = std::max(1, layout.count / enough_rows);
-    if (!settle(task, layout.every(one_of), from_rough, state)) return state;
-    if (one_of > 1 && !settle(task, layout, from_settled, state)) return state;
-    set_covariance(prior, state);
+    if (settle(task, layout, state)) set_covariance(prior, state);
     return state;
 }
 

@@ -48,9 +48,6 @@ struct SilhouetteFit {
 /// gates rows (RowGate, and EdgeConsensus where they disagree). Blur and noise are fitted along with it,
 /// pooled over the rows that count.
 ///
-/// Where there are many rows, some of them, evenly spread, settle all that first: where the edges are, their
-/// blur, and which thing's they are. Then all rows are read, judged anew, and asked for what is left.
-///
 /// The covariance is H⁻¹ with the rows' information scaled to the scatter they show, and by how much
 /// neighbouring rows' offsets resemble each other (compressed pictures).
 class SilhouetteFitter {
@@ -68,11 +65,8 @@ class SilhouetteFitter {
         const SilhouettePrior& prior;
         double least_contrast;
     };
-    /// When to do what.
-    struct Course;
-
-    /// Until rows ask for no more, or the course ends; false where there is no such silhouette.
-    bool settle(const Task& task, RowLayout layout, const Course& course, SilhouetteFit& state);
+    /// Until rows ask for no more; false where there is no such silhouette.
+    bool settle(const Task& task, RowLayout layout, SilhouetteFit& state);
     void read(const Task& task, RowLayout& layout, const SilhouetteFit& state);
     /// Where each row's edge is supposed to be, and measures it there.
     void measure(const SilhouetteFit& state, bool blur);

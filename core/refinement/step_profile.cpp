@@ -21,23 +21,16 @@ void StepProfile::set_blur(double sigma, double digital_share) {
     if (sigma == sigma_ && digital_share == digital_) return;
     sigma_ = sigma;
     digital_ = digital_share;
-    constexpr int dense = static_cast<int>(per_px);
-    constexpr double length = 1.0 / static_cast<double>(per_px);  // px, of a piece
     // Whole px, so that bends lie between two pieces.
     const int reach = 1 + static_cast<int>(std::ceil(4.0 * sigma));
-    reach_ = static_cast<float>(reach);
-
-    // Knots one px farther than the profile reaches, to either side. Φ(−z) = 1 − Φ(z): half of them is
-    // enough.
-    const int half = (reach + 1) * dense;
-    knots_.resize(static_cast<std::size_t>(2 * half + 1));
-    for (int j = 0; j <= half; ++j) {
-        const double x = length * j, z = x / sigma;
-        const double beyond = share_below(-z), d = density(z);
-        const double gathered = x * (1.0 - beyond) + sigma * d;
-        knots_[static_cast<std::size_t>(half + j)] = {1.0 - beyond, d, gathered};
-        knots_[static_cast<std::size_t>(half - j)] = {beyond, d, gathered - x};
-    }
+    constexpr int most = static_cast<int>(most_pieces) - 2;                        // beside both ends
+    const int dense = most / (2 * reach), sparse = (2 * reach + most - 1) / most;  // pieces a px; px a piece
+    const double length = dense > 0 ? 1.0 / dense : sparse;
+    const int inner_pieces = dense > 0 ? 2 * reach * dense : (2 * reach + sparse - 1) / sparse;
+    const double first = -0.5 * length * inner_pieces;
+    reach_ = static_cast<float>(-first);
+    per_px_ = static_cast<float>(1.0 / length);
+    count_ = static_cast<std::size_t>(inner_pieces) + 2;
 
     // E_d at whole px −reach … reach: Σ g_k C(n + k), where C is 0, ½ or 1.
     constexpr int most_taps = 25;
@@ -53,42 +46,49 @@ void StepProfile::set_blur(double sigma, double digital_share) {
         return all / sum;
     };
 
-    const int inner_pieces = 2 * reach * dense;
-    pieces_.assign(static_cast<std::size_t>(inner_pieces) + 2, {});
+    const auto digital_between = [&](double x) {
+        const int n = static_cast<int>(std::floor(x));
+        const double here = digital_at(n);
+        return here + (x - n) * (digital_at(n + 1) - here);
+    };
     struct End {
-        double optical, slope, blur;
+        double optical, slope, blur, digital;
     };
-    const auto end_of = [&](int j) {  // of the piece j, from −reach on
-        const Knot& upper = knots_[static_cast<std::size_t>(j + 2 * dense)];
-        const Knot& lower = knots_[static_cast<std::size_t>(j)];
-        return End{0.5 * (upper.gathered - lower.gathered), 0.5 * (upper.below - lower.below),
-                   0.5 * (upper.density - lower.density)};
+    const auto end_at = [&](double x) {
+        const double upper = (x + 1.0) / sigma, lower = (x - 1.0) / sigma;
+        const double p_upper = share_below(upper), p_lower = share_below(lower);
+        const double d_upper = density(upper), d_lower = density(lower);
+        return End{0.5 * ((x + 1.0) * p_upper - (x - 1.0) * p_lower + sigma * (d_upper - d_lower)),
+                   0.5 * (p_upper - p_lower), 0.5 * (d_upper - d_lower), digital_between(x)};
     };
-    double before = digital_at(-reach), after = before;
-    End start = end_of(0);
-    for (int j = 0; j < inner_pieces; ++j) {
-        const int in_px = j % dense;
-        if (in_px == 0) before = after, after = digital_at(j / dense - reach + 1);
-        const End end = end_of(j + 1);
-        const double digital_slope = after - before;
-        const double digital_start = before + in_px * length * digital_slope;
-        const double digital_end = digital_start + length * digital_slope;
-        const auto mixed = [&](double optical, double digital) {
-            return optical + digital_share * (digital - optical);
-        };
-        const double f0 = mixed(start.optical, digital_start), f1 = mixed(end.optical, digital_end);
+    pieces_ = {};
+    pieces_[count_ - 1].step[0] = 1.0F;
+    // E(−x) = 1 − E(x): half of the ends are enough.
+    std::array<End, most_pieces> ends;
+    for (int j = 0; 2 * j <= inner_pieces; ++j) {
+        const End end = end_at(first + length * j);
+        ends[static_cast<std::size_t>(inner_pieces - j)] = {1.0 - end.optical, end.slope, -end.blur,
+                                                            1.0 - end.digital};
+        ends[static_cast<std::size_t>(j)] = end;
+    }
+    const auto mixed = [&](double optical, double digital) {
+        return optical + digital_share * (digital - optical);
+    };
+    for (std::size_t j = 0; j + 2 < count_; ++j) {
+        const End& start = ends[j];
+        const End& end = ends[j + 1];
+        const double digital_slope = (end.digital - start.digital) / length;
+        const double f0 = mixed(start.optical, start.digital), f1 = mixed(end.optical, end.digital);
         const double m0 = mixed(start.slope, digital_slope), m1 = mixed(end.slope, digital_slope);
         const double mean = (f1 - f0) / length;
-        Piece& piece = pieces_[static_cast<std::size_t>(j) + 1];
+        Piece& piece = pieces_[j + 1];
         piece.step = {static_cast<float>(f0), static_cast<float>(m0),
                       static_cast<float>((3.0 * mean - 2.0 * m0 - m1) / length),
                       static_cast<float>((m0 + m1 - 2.0 * mean) / (length * length))};
         piece.blur = {static_cast<float>(start.blur), static_cast<float>((end.blur - start.blur) / length)};
-        const double apart0 = digital_start - start.optical, apart1 = digital_end - end.optical;
+        const double apart0 = start.digital - start.optical, apart1 = end.digital - end.optical;
         piece.digital = {static_cast<float>(apart0), static_cast<float>((apart1 - apart0) / length)};
-        start = end;
     }
-    pieces_.back().step[0] = 1.0F;
 }
 
 }  // namespace goalmouth

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace goalmouth {
 
@@ -24,8 +23,9 @@ namespace goalmouth {
 /// The two differ by up to a hundredth, which moves an upright edge by as many px, the same in all rows. So
 /// the profile is E = E_o + share·(E_d − E_o), and the share is for the picture to say.
 ///
-/// Kept as polynomials, four to a px: cubics that have E and its slope at both their ends, within 1e-4 of it.
-/// (E_d has bends, all of them at whole px.)
+/// Kept as some thirty polynomials: cubics that have E and its slope at both their ends, within 2e-4 of it.
+/// (E_d has bends at whole px, where pieces end; with the widest blurs, of which pieces are longer, it has
+/// none to speak of.)
 class StepProfile {
   public:
     struct Value {
@@ -35,28 +35,30 @@ class StepProfile {
         float digital;  // E_d − E_o
     };
 
-    /// Of `per_px` to a px; x [px] from its start on.
+    /// x [px] from its start on.
     struct Piece {
         std::array<float, 4> step{};     // E, by powers of x
         std::array<float, 2> blur{};     // dE/dσ
         std::array<float, 2> digital{};  // E_d − E_o
     };
-    static constexpr float per_px = 4.0F;
+    static constexpr std::size_t most_pieces = 32;
 
     /// σ [px] > 0, along the row; digital share 0…1.
     void set_blur(double sigma, double digital_share);
     /// Beyond this many px from the edge E is 0 or 1.
     float reach() const { return reach_; }
 
-    /// The piece that x [px] lies in is number ⌊(x + reach())·per_px⌋ + 1; what lies beyond both ends has
+    /// The piece that x [px] lies in is number ⌊(x + reach())·per_px()⌋ + 1; what lies beyond both ends has
     /// the first and the last.
-    const std::vector<Piece>& pieces() const { return pieces_; }
+    const std::array<Piece, most_pieces>& pieces() const { return pieces_; }
+    std::size_t count() const { return count_; }
+    float per_px() const { return per_px_; }
 
     Value at(float x) const {
         const float place =
-            std::clamp((x + reach_) * per_px + 1.0F, 0.0F, static_cast<float>(pieces_.size()) - 0.5F);
+            std::clamp((x + reach_) * per_px_ + 1.0F, 0.0F, static_cast<float>(count_) - 0.5F);
         const auto i = static_cast<std::size_t>(place);
-        const float way = (place - static_cast<float>(i)) / per_px;
+        const float way = (place - static_cast<float>(i)) / per_px_;
         const Piece& p = pieces_[i];
         return {p.step[0] + way * (p.step[1] + way * (p.step[2] + way * p.step[3])),
                 p.step[1] + way * (2.0F * p.step[2] + way * (3.0F * p.step[3])), p.blur[0] + way * p.blur[1],
@@ -67,11 +69,9 @@ class StepProfile {
     double sigma_ = 0.0;
     double digital_ = 0.0;
     float reach_ = 0.0F;
-    std::vector<Piece> pieces_;
-    struct Knot {
-        double below = 0.0, density = 0.0, gathered = 0.0;  // Φ, φ, Ψ
-    };
-    std::vector<Knot> knots_;
+    float per_px_ = 1.0F;
+    std::size_t count_ = 1;
+    std::array<Piece, most_pieces> pieces_{};
 };
 
 }  // namespace goalmouth
