@@ -1,5 +1,7 @@
 #include "core/refinement/edge_row_reader.h"
 
+#include "core/refinement/row_purity.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -95,7 +97,7 @@ Eigen::Matrix3f EdgeRowReader::background_noise(std::size_t side, const EdgeRows
                                                 const Eigen::Matrix3f& like) {
     // Between one row and the next. Where the background itself changes is no noise: what differs by much
     // more than usual is left out.
-    constexpr std::size_t enough = 400;  // differences: the noise to a few per cent
+    constexpr std::size_t enough = 200;  // differences: the noise to a few per cent
     const Eigen::Matrix3f measure = like.inverse();
     differences_.clear();
     const std::vector<Outside>& outside = outside_[side];
@@ -124,10 +126,11 @@ Eigen::Matrix3f EdgeRowReader::background_noise(std::size_t side, const EdgeRows
         }
     }
     if (differences_.empty()) return like;
-    const auto middle = differences_.begin() + static_cast<std::ptrdiff_t>(differences_.size() / 2);
-    std::nth_element(differences_.begin(), middle, differences_.end(),
-                     [](const Difference& a, const Difference& b) { return a.size < b.size; });
-    const float most = 6.0F * middle->size;  // χ² with three degrees of freedom: 0.3 % are beyond
+    const std::size_t count_all = differences_.size();
+    sizes_.resize(count_all + EdgeRows::block);
+    for (std::size_t i = 0; i < count_all; ++i) sizes_[i] = differences_[i].size;
+    // χ² with three degrees of freedom: 0.3 % are beyond.
+    const float most = 6.0F * nth_smallest(sizes_.data(), count_all, count_all / 2);
     Eigen::Matrix3f sum = Eigen::Matrix3f::Zero();
     float count = 0.0F;
     for (const Difference& d : differences_) {

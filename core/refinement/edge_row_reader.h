@@ -52,6 +52,7 @@ class EdgeRowReader {
     std::array<std::vector<Outside>, 2> outside_;
     RowWeights weights_;
     std::vector<Difference> differences_;
+    std::vector<float> sizes_;
 };
 
 }  // namespace goalmouth

@@ -8,15 +8,13 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 //
 #include <hwy/highway.h>
+//
+#include "core/refinement/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace goalmouth::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-// No fused multiply-add: every kind of vector gives the same numbers.
-using Floats = hn::CappedTag<float, EdgeRows::block>;
-using FloatVector = hn::Vec<Floats>;
 
 /// Of the levels of some rows, less that of the row they are for: sums of their weights, and by weight.
 struct Sums {

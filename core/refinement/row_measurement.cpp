@@ -18,14 +18,6 @@ namespace goalmouth::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Sums of products over a row's pairs. No fused multiply-add: every kind of vector gives the same numbers.
-struct Sum {
-    FloatVector all;
-
-    HWY_INLINE Sum() : all(hn::Zero(Floats())) {}
-    HWY_INLINE void add(FloatVector a, FloatVector b) { all = hn::Add(all, hn::Mul(a, b)); }
-};
-
 template <bool with_blur>
 HWY_INLINE void measure_lanes(const EdgeRows& rows, const EdgePieces& pieces, const SupposedEdges& edges,
                               float outwards, float noise, std::size_t row, RowMeasurements& measured,
@@ -43,9 +35,9 @@ HWY_INLINE void measure_lanes(const EdgeRows& rows, const EdgePieces& pieces, co
     const bool any_narrow = !hn::AllFalse(d, narrow);
     const auto beyond = hn::Sub(hn::LoadU(d, rows.other_edge.data() + row), a);
 
-    Sum tt, ta, tb, aa, ab, bb, rt, ra, rb, rr;
-    Sum ss, sd, dd, rs, rd, ts, td, sa, sb, da, db;
-    Sum inner, inner_weight, outer, outer_weight;
+    LaneSum tt, ta, tb, aa, ab, bb, rt, ra, rb, rr;
+    LaneSum ss, sd, dd, rs, rd, ts, td, sa, sb, da, db;
+    LaneSum inner, inner_weight, outer, outer_weight;
     const auto most = static_cast<std::size_t>(hn::GetLane(hn::MaxOfLanes(d, pairs)));
     for (std::size_t i = 0; i < most; ++i) {
         const auto there = hn::Lt(hn::Set(d, static_cast<float>(i)), pairs);
@@ -83,7 +75,7 @@ HWY_INLINE void measure_lanes(const EdgeRows& rows, const EdgePieces& pieces, co
             sa.add(s, in), sb.add(s, out), da.add(g, in), db.add(g, out);
         }
     }
-    const auto mean_or = [&](const Sum& sum, const Sum& weight, FloatVector other) HWY_ATTR {
+    const auto mean_or = [&](const LaneSum& sum, const LaneSum& weight, FloatVector other) HWY_ATTR {
         const auto some = hn::Gt(weight.all, zero);
         return hn::IfThenElse(some, hn::Div(sum.all, hn::IfThenElse(some, weight.all, one)), other);
     };

@@ -10,16 +10,15 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 //
 #include <hwy/highway.h>
+//
+#include "core/refinement/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace goalmouth::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// No fused multiply-add anywhere: every kind of vector gives the same numbers.
-using Floats = hn::CappedTag<float, EdgeRows::block>;
 using Words = hn::Rebind<std::uint32_t, Floats>;
-using FloatVector = hn::Vec<Floats>;
 using WordVector = hn::Vec<Words>;
 
 struct Colour {
@@ -43,8 +42,8 @@ HWY_INLINE FloatVector scaled(FloatVector a, float b) {
 /// light_of_level() of levels 0…255.
 HWY_INLINE FloatVector light(FloatVector level) {
     const auto v = hn::Min(hn::Max(scaled(level, 1.0F / 255.0F), number(0.0F)), number(1.0F));
-    const auto inner = hn::Add(number(0.682171111F), scaled(v, 0.305306011F));
-    return scaled(hn::Mul(v, hn::Add(number(0.012522878F), hn::Mul(v, inner))), 255.0F);
+    const auto inner = hn::Add(number(light_factors[1]), scaled(v, light_factors[2]));
+    return scaled(hn::Mul(v, hn::Add(number(light_factors[0]), hn::Mul(v, inner))), 255.0F);
 }
 
 /// light_of_level() of a colour; BT.601, full range.

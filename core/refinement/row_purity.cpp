@@ -19,15 +19,6 @@ namespace goalmouth::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// No fused multiply-add anywhere: every kind of vector gives the same numbers.
-struct PuritySum {
-    FloatVector all;
-
-    HWY_INLINE PuritySum() : all(hn::Zero(Floats())) {}
-    HWY_INLINE void add(FloatVector a) { all = hn::Add(all, a); }
-    HWY_INLINE void add(FloatVector a, FloatVector b) { all = hn::Add(all, hn::Mul(a, b)); }
-};
-
 void judge_rows(EdgeRows& rows, const StepProfile& profile, float outwards) {
     constexpr float well_inside = 0.03F, well_outside = 0.97F;
     constexpr float farthest_out = 6.0F;  // px: farther out something else may lie
@@ -48,8 +39,8 @@ void judge_rows(EdgeRows& rows, const StepProfile& profile, float outwards) {
                           ? outwards * static_cast<float>(rows.first[row + k] - rows.edge[row + k])
                           : 0.0F;
         const auto start = hn::Sub(hn::Load(d, from), offset);
-        PuritySum aa, ab, bb, ra, rb, rr;
-        PuritySum inner, inner_pairs, outer, outer_pairs, mixed, mixed_share, mixed_luma;
+        LaneSum aa, ab, bb, ra, rb, rr;
+        LaneSum inner, inner_pairs, outer, outer_pairs, mixed, mixed_share, mixed_luma;
         const auto most = static_cast<std::size_t>(hn::GetLane(hn::MaxOfLanes(d, pairs)));
         for (std::size_t i = 0; i < most; ++i) {
             const auto there = hn::Lt(hn::Set(d, static_cast<float>(i)), pairs);

@@ -230,7 +230,7 @@ bool SilhouetteFitter::settle(const Task& task, RowLayout layout, SilhouetteFit&
             state.consensus =
                 consensus_.find(rows_, roll_from(task.prior.up, state.post), task.prior.roll_sigma);
         }
-        smooth(state);
+        if (iteration <= settled) smooth(state);
 
         equations_ = {};
         for (std::size_t side = 0; side < 2; ++side)

@@ -7,17 +7,13 @@
 #define GOALMOUTH_STEP_PROFILE_INL_H
 #endif
 
-#include "core/refinement/edge_rows.h"
+#include "core/refinement/lanes-inl.h"
 #include "core/refinement/step_profile.h"
 
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace goalmouth::HWY_NAMESPACE {
-
-using Floats = hwy::HWY_NAMESPACE::CappedTag<float, EdgeRows::block>;
-using FloatVector = hwy::HWY_NAMESPACE::Vec<Floats>;
-using Integers = hwy::HWY_NAMESPACE::RebindToSigned<Floats>;
 
 /// StepProfile::at() for a place in each lane.
 class EdgePieces {

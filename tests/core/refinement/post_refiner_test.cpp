@@ -14,16 +14,6 @@ namespace {
 const Levels grey{150, 150, 155};
 const Levels green{52, 122, 62};
 
-/// A small picture where the post lies, to draw quickly.
-DrawnPost small_scene() {
-    DrawnPost scene;
-    scene.camera.width = 160;
-    scene.camera.height = 240;
-    scene.camera.cx = 79.5;
-    scene.camera.cy = 119.5;
-    return scene;
-}
-
 RefinedPost refine(const DrawnPost& scene, const Post& found, bool with_pose = true) {
     PostRefiner refiner({}, {});
     const YuyvImage image = scene.draw();
