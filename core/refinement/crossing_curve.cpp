@@ -13,7 +13,7 @@ void CrossingCurve::follow(const Intrinsics& camera, const Eigen::Vector3d& plan
     straight_ = !camera.has_distortion();
     if (straight_) return;
     constexpr int least_knots = 4;
-    constexpr double per_focal_length = 32.0;
+    constexpr double per_focal_length = 64.0;
     const double length = std::max(1.0, last_row - first_row);
     const int knots =
         std::max(least_knots, 1 + static_cast<int>(std::ceil(per_focal_length * length / camera.fy)));

@@ -12,8 +12,8 @@ namespace goalmouth {
 /// Where a plane through the camera's centre crosses a picture's rows: a smooth curve, which is followed
 /// through the lens in a few rows and is a cubic through four of them in between.
 ///
-/// Four knots a step of f/32 apart: for lenses as they come that is within 1e-3 px of the exact crossing. A
-/// lens without distortion has straight lines, which are exact.
+/// The rows are f/64 apart: for lenses as they come that is within 1e-3 px of the exact crossing. A lens
+/// without distortion has straight lines, which are exact.
 class CrossingCurve {
   public:
     /// Between two rows; `x_near` [px]: about where the plane crosses the first.

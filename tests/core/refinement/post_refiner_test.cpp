@@ -172,7 +172,12 @@ TEST(PostRefiner, RowsWithoutContrastSayNothing) {
     DrawnPost scene = small_scene();
     const Levels yellow = scene.post;
     scene.behind = [yellow](double x, double y) { return x < 80.0 && y > 60.0 && y < 110.0 ? yellow : grey; };
-    const RefinedPost refined = refine(scene, scene.found());
+    RefinementParameters parameters;
+    parameters.most_rows = 250;  // none averaged: rows are those of the picture
+    PostRefiner refiner(parameters, {});
+    const YuyvImage image = scene.draw();
+    const RefinedPost refined =
+        refiner.refine(image.view(), {scene.found()}, scene.camera, scene.pose()).front();
     expect_measured(refined, scene, 0.015);
     EXPECT_LT(refined.left->rows, refined.right->rows - 30);
 }
