@@ -64,6 +64,19 @@ Eigen::Vector2d pixel_from_normalised(const Intrinsics& camera, const Eigen::Vec
     return {camera.fx * p.x() + camera.cx, camera.fy * p.y() + camera.cy};
 }
 
+Eigen::Matrix2d pixel_change(const Intrinsics& camera, const Eigen::Vector2d& normalised) {
+    const std::array<double, 5>& d = camera.distortion;
+    const double x = normalised.x(), y = normalised.y();
+    const double r2 = x * x + y * y;
+    const double radial = 1.0 + r2 * (d[0] + r2 * (d[1] + r2 * d[4]));
+    const double growth = 2.0 * (d[0] + r2 * (2.0 * d[1] + r2 * 3.0 * d[4]));
+    const double across = x * y * growth + 2.0 * (d[2] * x + d[3] * y);
+    Eigen::Matrix2d change;
+    change << camera.fx * (radial + x * x * growth + 2.0 * d[2] * y + 6.0 * d[3] * x), camera.fx * across,
+        camera.fy * across, camera.fy * (radial + y * y * growth + 6.0 * d[2] * y + 2.0 * d[3] * x);
+    return change;
+}
+
 std::optional<Eigen::Vector2d> project(const Intrinsics& camera, const Eigen::Vector3d& point_C) {
     if (!(point_C.z() > 0.0)) return std::nullopt;
     return pixel_from_normalised(camera, point_C.head<2>() / point_C.z());

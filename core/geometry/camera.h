@@ -53,6 +53,9 @@ std::optional<Eigen::Vector2d> project(const Intrinsics& camera, const Eigen::Ve
 /// Distorts normalised image coordinates (x/z, y/z), then scales to pixels.
 Eigen::Vector2d pixel_from_normalised(const Intrinsics& camera, const Eigen::Vector2d& normalised);
 
+/// Its derivative: how the pixel moves with the normalised coordinates.
+Eigen::Matrix2d pixel_change(const Intrinsics& camera, const Eigen::Vector2d& normalised);
+
 /// Whether the lens model says nothing about a point: at its normalised coordinates, or on the way there from
 /// the optical axis, points farther out come to lie nearer to the principal point again. What lies there can
 /// seem to be inside the image.

@@ -24,9 +24,8 @@ float level_of_light(float light) {
 }  // namespace
 
 float light_of_level(float level) {
-    // A cubic through black and white, nowhere more than 0.004 off the standard's curve.
     const float v = std::clamp(level, 0.0F, 1.0F);
-    return v * (0.012522878F + v * (0.682171111F + v * 0.305306011F));
+    return v * (light_factors[0] + v * (light_factors[1] + v * light_factors[2]));
 }
 
 float grey_as_read(float level, CameraResponse response) {

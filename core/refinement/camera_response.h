@@ -22,8 +22,10 @@ using PairColour = Eigen::Vector3f;
 /// metres and 640 px is 6 % of the distance. Where light is worked out of levels first, it does not.
 enum class CameraResponse : std::uint8_t { linear, srgb };
 
-/// Light of a level, both 0…1.
+/// Light of a level, both 0…1: a cubic through black and white, nowhere more than 0.004 off the standard's
+/// curve; its factors from the level's first power on.
 float light_of_level(float level);
+inline constexpr std::array<float, 3> light_factors = {0.012522878F, 0.682171111F, 0.305306011F};
 
 /// A grey level as pixels of such a response are read, 0…255.
 float grey_as_read(float level, CameraResponse response);

@@ -47,11 +47,14 @@ std::optional<double> end_of_colour(const Walk& walk, const PostColour& colour, 
     if (!walk.inside(pair)) return std::nullopt;
     // An occluder may lie over the middle and leave the edge free.
     while (pair != to && walk.inside(pair) && walk.difference(pair) > alike) pair += step;
-    for (; pair != to; pair += step) {
-        if (!walk.inside(pair) || !walk.inside(pair + 3 * step)) return std::nullopt;
-        if (walk.difference(pair) > alike && walk.difference(pair + step) > alike) break;
+    // Two pairs after one another.
+    for (bool differs = false;; pair += step) {
+        if (pair == to + step || !walk.inside(pair) || !walk.inside(pair + 2 * step)) return std::nullopt;
+        const bool differed = differs;
+        differs = walk.difference(pair) > alike;
+        if (differs && differed) break;
     }
-    if (pair == to) return std::nullopt;
+    pair -= step;
     const Eigen::Vector3f beyond = 0.5F * (walk.offset(pair + 2 * step) + walk.offset(pair + 3 * step));
     const Eigen::Vector3f weights = colour.contrast * beyond;
     const float strength = beyond.dot(weights);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace goalmouth {
 namespace {
@@ -15,21 +16,18 @@ constexpr double transition = 2.0;        // rows of a run that look like its ne
 constexpr double hue_alike = 1.6;
 constexpr double least_clean = 0.25;
 
-bool counts(const EdgeRow& row) {
-    return row.seen && row.information > 0.0F && static_cast<double>(row.clean) > least_clean;
+bool counts(const EdgeRows& rows, std::size_t i) {
+    return rows.told(i) && static_cast<double>(rows.clean[i]) > least_clean;
 }
 
-double variance_of(const EdgeRow& row) {
-    return 1.0 / static_cast<double>(row.information) + edge_roughness * edge_roughness;
-}
-
-double unlike(const EdgeRow& a, const EdgeRow& b) {
+/// Square of how far the backgrounds of two rows differ.
+double unlike(const EdgeRows& rows, std::size_t a, std::size_t b) {
     double sum = 0.0;
-    for (std::size_t k = 0; k < a.background.size(); ++k) {
-        const double d = static_cast<double>(a.background[k] - b.background[k]);
+    for (const RowColumn<float>& part : rows.background) {
+        const double d = static_cast<double>(part[a] - part[b]);
         sum += d * d;
     }
-    return std::sqrt(sum);
+    return sum;
 }
 
 float quantile(std::vector<float>& values, double share) {
@@ -41,19 +39,19 @@ float quantile(std::vector<float>& values, double share) {
 
 }  // namespace
 
-void EdgeConsensus::split(const std::vector<EdgeRow>& rows, std::vector<Piece>& pieces) {
+void EdgeConsensus::split(const EdgeRows& rows, std::vector<Piece>& pieces) {
     pieces.clear();
     // What backgrounds usually change from row to row is noise.
     sorted_.clear();
-    for (std::size_t i = 0; i + 1 < rows.size(); ++i)
-        if (counts(rows[i]) && counts(rows[i + 1]))
-            sorted_.push_back(static_cast<float>(unlike(rows[i], rows[i + 1])));
-    const double usual = 4.0 * static_cast<double>(quantile(sorted_, 0.5)) + 2.0;
+    for (std::size_t i = 0; i + 1 < rows.count; ++i)
+        if (counts(rows, i) && counts(rows, i + 1))
+            sorted_.push_back(static_cast<float>(unlike(rows, i, i + 1)));
+    const double usual = 4.0 * std::sqrt(static_cast<double>(quantile(sorted_, 0.5))) + 2.0;
 
     std::size_t run_start = 0;  // its first piece
     Piece piece;
     double weights = 0.0;
-    const EdgeRow* before = nullptr;
+    std::optional<std::size_t> before;
     const auto end_piece = [&] {
         if (piece.rows > 0.0) {
             piece.place /= weights;
@@ -77,14 +75,13 @@ void EdgeConsensus::split(const std::vector<EdgeRow>& rows, std::vector<Piece>& 
         }
         run_start = pieces.size();
     };
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const EdgeRow& row = rows[i];
-        if (!counts(row)) continue;
-        const double variance = variance_of(row);
-        if (before != nullptr && unlike(row, *before) > usual) end_run();
+    for (std::size_t i = 0; i < rows.count; ++i) {
+        if (!counts(rows, i)) continue;
+        const double variance = rows.variance(i), offset = static_cast<double>(rows.measured.offset[i]);
+        if (before && unlike(rows, i, *before) > usual * usual) end_run();
         if (piece.rows > 0.0) {
             // Where the edge jumps something else begins, whatever the background looks like.
-            const double jump = static_cast<double>(row.offset) - piece.place / weights;
+            const double jump = offset - piece.place / weights;
             const bool jumps = jump * jump > 16.0 * (variance + 1.0 / weights);
             if (jumps) end_run();
         }
@@ -92,10 +89,10 @@ void EdgeConsensus::split(const std::vector<EdgeRow>& rows, std::vector<Piece>& 
         if (piece.rows == 0.0) piece.first = i;
         piece.last = i;
         piece.rows += 1.0;
-        piece.place += static_cast<double>(row.offset) / variance;
-        piece.turn += static_cast<double>(row.turn) / variance;
+        piece.place += offset / variance;
+        piece.turn += static_cast<double>(rows.turn[i]) / variance;
         weights += 1.0 / variance;
-        before = &row;
+        before = i;
     }
     end_run();
 }
@@ -109,15 +106,14 @@ double EdgeConsensus::evidence(const std::vector<Piece>& pieces, double place, d
     return sum;
 }
 
-EdgeConsensus::Result EdgeConsensus::find(std::array<std::vector<EdgeRow>, 2>& rows, double roll,
-                                          double sigma) {
+EdgeConsensus::Result EdgeConsensus::find(std::array<EdgeRows, 2>& rows, double roll, double sigma) {
     Result result;
     double longest = 0.0;
-    for (auto& side : rows)
-        for (EdgeRow& row : side) {
+    for (EdgeRows& side : rows)
+        for (std::size_t i = 0; i < side.count; ++i) {
             // What was outvoted before is asked anew.
-            if (row.outvoted) row.outvoted = false, row.weight = row.clean;
-            if (counts(row)) longest = std::max(longest, std::abs(static_cast<double>(row.turn)));
+            if (side.outvoted[i] > 0.0F) side.outvoted[i] = 0.0F, side.weight[i] = side.clean[i];
+            if (counts(side, i)) longest = std::max(longest, std::abs(static_cast<double>(side.turn[i])));
         }
     if (!(longest > 0.0)) return result;
     for (std::size_t side = 0; side < 2; ++side) split(rows[side], pieces_[side]);
@@ -127,6 +123,17 @@ EdgeConsensus::Result EdgeConsensus::find(std::array<std::vector<EdgeRow>, 2>& r
         std::all_of(pieces_[1].begin(), pieces_[1].end(), agrees))
         return result;  // with one another, and with the fit so far
 
+    for (std::size_t side = 0; side < 2; ++side) {
+        columns_[side].assign(pieces_[side].size());
+        for (std::size_t k = 0; k < pieces_[side].size(); ++k) {
+            const Piece& p = pieces_[side][k];
+            columns_[side].place[k] = static_cast<float>(p.place);
+            columns_[side].turn[k] = static_cast<float>(p.turn);
+            columns_[side].per_square[k] = static_cast<float>(1.0 / (9.0 * p.variance));
+            columns_[side].share[k] = static_cast<float>(p.share);
+        }
+    }
+    evidence_.assign(std::max(pieces_[0].size(), pieces_[1].size()));
     constexpr double most = 3.0, step = 0.15;  // px, at the edges' ends
     double best = -1e9, best_turn = 0.0;
     std::array<double, 2> place{};
@@ -135,13 +142,14 @@ EdgeConsensus::Result EdgeConsensus::find(std::array<std::vector<EdgeRow>, 2>& r
         double sum = 0.0;
         std::array<double, 2> at{};
         for (std::size_t side = 0; side < 2; ++side) {
-            double most_here = 0.0;
-            for (const Piece& p : pieces_[side]) {
-                const double a = p.place - turn * p.turn;
-                const double e = evidence(pieces_[side], a, turn);
-                if (e > most_here) most_here = e, at[side] = a;
+            evidence_of_places(columns_[side], static_cast<float>(turn), evidence_);
+            float most_here = 0.0F;
+            for (std::size_t k = 0; k < pieces_[side].size(); ++k) {
+                if (!(evidence_[k] > most_here)) continue;
+                most_here = evidence_[k];
+                at[side] = pieces_[side][k].place - turn * pieces_[side][k].turn;
             }
-            sum += most_here;
+            sum += static_cast<double>(most_here);
         }
         const double leaves = (roll + turn) / sigma;
         sum -= 0.5 * leaves * leaves + 1e-3 * std::abs(end);  // of equals the least
@@ -160,12 +168,13 @@ EdgeConsensus::Result EdgeConsensus::find(std::array<std::vector<EdgeRow>, 2>& r
     }
     if (!result.disagree) return result;
     for (std::size_t side = 0; side < 2; ++side) {
-        for (EdgeRow& row : rows[side]) row.weight = 0.0F, row.outvoted = true;
+        EdgeRows& all = rows[side];
+        for (std::size_t i = 0; i < all.count; ++i) all.weight[i] = 0.0F, all.outvoted[i] = 1.0F;
         for (const Piece& p : pieces_[side]) {
             const double miss = p.place - place[side] - best_turn * p.turn;
             if (miss * miss > 9.0 * p.variance) continue;
             for (std::size_t i = p.first; i <= p.last; ++i)
-                if (counts(rows[side][i])) rows[side][i].weight = 1.0F, rows[side][i].outvoted = false;
+                if (counts(all, i)) all.weight[i] = 1.0F, all.outvoted[i] = 0.0F;
         }
     }
     return result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/refinement/edge_rows.h"
+#include "core/refinement/piece_evidence.h"
 
 #include <array>
 #include <vector>
@@ -27,17 +28,19 @@ class EdgeConsensus {
 
     /// Rows as measured last (offset, information, clean). Weights become 0 or 1 where rows disagree.
     /// `roll` [rad]: of the fit so far against the measured vertical, whose sigma is `sigma`.
-    Result find(std::array<std::vector<EdgeRow>, 2>& rows, double roll, double sigma);
+    Result find(std::array<EdgeRows, 2>& rows, double roll, double sigma);
 
   private:
     struct Piece {  // of a run: a few neighbouring rows
         double place = 0.0, turn = 0.0, variance = 0.0, rows = 0.0, share = 0.0;  // of its run's evidence
         std::size_t first = 0, last = 0;
     };
-    void split(const std::vector<EdgeRow>& rows, std::vector<Piece>& pieces);
+    void split(const EdgeRows& rows, std::vector<Piece>& pieces);
     static double evidence(const std::vector<Piece>& pieces, double place, double turn);
 
     std::array<std::vector<Piece>, 2> pieces_;
+    std::array<EdgePieceColumns, 2> columns_;
+    RowColumn<float> evidence_;
     std::vector<float> sorted_;
 };
 

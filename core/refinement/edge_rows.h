@@ -1,70 +1,113 @@
 #pragma once
 
-#include "core/imaging/yuyv.h"
-#include "core/refinement/pixel_rays.h"
-#include "core/refinement/post_colour.h"
-#include "core/refinement/post_silhouette.h"
-#include "core/refinement/step_profile.h"
-
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <vector>
-
-#include <Eigen/Core>
 
 namespace goalmouth {
 
 /// px, sigma of edges as cameras show them, from row to row, beside what noise explains.
 inline constexpr double edge_roughness = 0.02;
 
-/// How bright one side of an edge is in a row, from the rows about it.
-struct EdgeLevel {
-    float value = 0.0F;
-    float variance = 0.0F;  // of the level in this row, were its own pixels not known
+/// A number for each row of an edge. Before and behind them there is room for the neighbours of the first and
+/// the last and for whole vectors, which holds zeros.
+template <class T>
+class RowColumn {
+  public:
+    static constexpr std::size_t room = 48;
+
+    /// All zero.
+    void assign(std::size_t rows) { values_.assign(rows + 2 * room, T{}); }
+    T& operator[](std::size_t i) { return values_[room + i]; }
+    const T& operator[](std::size_t i) const { return values_[room + i]; }
+    T* data() { return values_.data() + room; }
+    const T* data() const { return values_.data() + room; }
+
+  private:
+    std::vector<T> values_;
 };
 
-/// The same from the row's own pixels well away from the edge.
-struct OwnLevel {
-    float value = 0.0F;
-    float weight = 0.0F;  // pixels it is the mean of
+/// What the pixels of each row say, once they are measured (row_measurement.h).
+struct RowMeasurements {
+    RowColumn<float> own_inner, own_outer;  // levels inside and outside, from pixels well away from the edge
+    RowColumn<float> own_inner_weight, own_outer_weight;  // pixels they are the mean of
+    RowColumn<float> offset;                              // px, outwards from where the edge was supposed
+    RowColumn<float> information;                         // 1/px², one over the offset's variance
+    RowColumn<float> misfit;   // mean square of what the edge model leaves, for each degree of freedom
+    RowColumn<float> freedom;  // degrees of freedom of misfit
+
+    using Columns = std::array<RowColumn<float> RowMeasurements::*, 8>;
+    static constexpr Columns columns();
+    void assign(std::size_t rows) {
+        for (const auto column : columns()) (this->*column).assign(rows);
+    }
+    void copy(const RowMeasurements& other, std::size_t row) {
+        for (const auto column : columns()) (this->*column)[row] = (other.*column)[row];
+    }
 };
 
-/// The pixels of one row (or a few neighbouring ones, averaged) about one edge, made one number each: how far
+constexpr RowMeasurements::Columns RowMeasurements::columns() {
+    return {&RowMeasurements::own_inner,        &RowMeasurements::own_outer,
+            &RowMeasurements::own_inner_weight, &RowMeasurements::own_outer_weight,
+            &RowMeasurements::offset,           &RowMeasurements::information,
+            &RowMeasurements::misfit,           &RowMeasurements::freedom};
+}
+
+/// The pixels about one edge, row by row (or a few neighbouring rows averaged), each made one number: how far
 /// from the post's colour towards the background's, shading left out, in sigmas of the noise.
-struct EdgeRow {
-    static constexpr int most_pairs = 20;
+///
+/// A column for each quantity: rows are worked on side by side, one in each lane of a vector.
+struct EdgeRows {
+    static constexpr std::size_t most_pairs = 20;
+    static constexpr std::size_t block = 16;  // rows whose pixels stand together
 
-    bool seen = false;  // enough pixels inside the picture, and the background differs
-    float row = 0.0F;   // px
-    int pairs = 0;
-    float first = 0.0F;  // px, middle of the first pair; the next ones come 2 px further each
-    std::array<float, most_pairs> values{};
-    std::array<float, most_pairs> strays{};  // the same square to it: 0 with post and background alike
-    std::array<float, most_pairs> lumas{};
-    RowRay ray;               // where the edge was when the row was read
-    float other_edge = 0.0F;  // what lies beyond the other edge, on the same scale
+    /// Of a block of rows, pair by pair, from the first of each row on.
+    struct Pixels {
+        using Values = std::array<std::array<float, block>, most_pairs>;
+        alignas(64) Values value;
+        alignas(64) Values stray;  // the same square to it: 0 with post and background alike
+        alignas(64) Values luma;
+    };
 
-    EdgeLevel inner, outer;  // levels inside and outside
+    std::size_t count = 0;
+    std::vector<Pixels> pixels;
+    RowColumn<float> pairs;   // of pixels; 0: too few inside the picture, or the background does not differ
+    RowColumn<double> first;  // px, middle of the first pair; the next ones come 2 px further each
+    RowColumn<double> column, row;               // px, where the edge was when the row was read
+    RowColumn<double> ray_x, ray_y;              // its ray there (RowRay)
+    RowColumn<double> slope_x, slope_y;          // and how that changes along the row
+    RowColumn<float> other_edge;                 // what lies beyond the other edge, on the values' scale
+    std::array<RowColumn<float>, 3> background;  // what lies outside, less the post's colour
 
-    std::array<float, 3> background{};  // what lies outside, less the post's colour
+    RowColumn<float> inner, outer;  // levels inside and outside, as the rows about it have them
+    RowColumn<float> inner_variance,
+        outer_variance;  // of the level in this row, were its own pixels not known
 
-    float edge = 0.0F;  // px, where it was supposed last
+    RowColumn<double> edge;  // px, where it was supposed last
+    RowMeasurements measured;
+    RowColumn<float> stray;     // as misfit, of the strays
+    RowColumn<float> dark;      // px inside the edge that are black, in all, or as good as
+    RowColumn<float> clean;     // 0…1, how far its pixels are those of one step
+    RowColumn<float> weight;    // 0…1, of the row in the fit
+    RowColumn<float> outvoted;  // 1: another place of the edge has more evidence (EdgeConsensus); else 0
+    RowColumn<float> turn;      // px outwards for each rad of roll (SilhouetteStep)
 
-    // As measured last:
-    OwnLevel own_inner, own_outer;
-    float offset = 0.0F;       // px, outwards from where the edge was supposed
-    float information = 0.0F;  // 1/px², one over the offset's variance
-    float misfit = 0.0F;       // mean square of what the edge model leaves, for each degree of freedom
-    float freedom = 0.0F;      // degrees of freedom of misfit
-    float weight = 0.0F;       // 0…1, of the row in the fit
-    float stray = 0.0F;        // as misfit, of the strays
-    bool outvoted = false;     // EdgeConsensus: another place of the edge has more evidence
-    float dark = 0.0F;         // px inside the edge that are black, in all, or as good as
-    float clean = 1.0F;        // 0…1, how far its pixels are those of one step
-    float turn = 0.0F;         // px outwards for each rad of roll (SilhouetteStep)
+    /// So many rows of which nothing is known.
+    void assign(std::size_t rows);
+    std::size_t blocks() const { return (count + block - 1) / block; }
+    bool seen(std::size_t i) const { return pairs[i] > 0.0F; }
+    /// Rows that can be judged.
+    bool told(std::size_t i) const { return seen(i) && measured.information[i] > 0.0F; }
+    double variance(std::size_t i) const {
+        return 1.0 / static_cast<double>(measured.information[i]) + edge_roughness * edge_roughness;
+    }
 };
 
 /// How rows of a picture are gathered.
 struct RowLayout {
+    static constexpr int most_averaged = 4;
+
     int first_row = 0;
     int last_row = 0;
     int bin = 1;         // neighbouring rows averaged
@@ -73,47 +116,12 @@ struct RowLayout {
     double inner = 4.0;  // px to look inside an edge
     double outer = 6.0;  // and outside
 
-    double row(int i) const { return first_row + 0.5 * (bin - 1) + i * pitch; }
+    /// The uppermost row of a bin.
+    int top(int i) const { return static_cast<int>(std::lround(first_row + i * pitch)); }
 };
 
-/// Rows for at most `most_rows` measurements of each edge between two rows. More rows than that are averaged
-/// in pairs, which keeps their information; of still more, some are left out.
+/// Rows for at most `most_rows` measurements of each edge between two rows. Of more rows than that up
+/// to four neighbours are averaged, which keeps their information; of still more, some are left out.
 RowLayout layout_rows(int first_row, int last_row, int most_rows);
-
-/// Reads the rows about both edges of a post.
-///
-/// The background's colour is looked up on each side in the neighbouring rows as well, so that the weights w
-/// = M·e hardly depend on a single row's noise; e: background less post. M is that of the mean of the post's
-/// noise and the background's on this side, which is what an edge's pixels have, texture included. A pair of
-/// pixels of colour z becomes w·(z − post) / √(eᵀMe): 0 with post, √(eᵀMe) with background, noise about 1.
-/// What is square both to w and to the shade direction, in the noise's metric, says whether there is only
-/// post and background: every mixture of the two has 0 there, and a third thing's colour has not.
-class EdgeRowReader {
-  public:
-    void read(YuyvView image, const Intrinsics& camera, const PostSilhouette& post, const PostColour& colour,
-              const RowLayout& layout, double blur, double least_contrast,
-              std::array<std::vector<EdgeRow>, 2>& rows);
-
-  private:
-    struct Window {
-        int first = 0;  // pair
-        int pairs = 0;
-        int outside_first = 0, outside_last = -1;             // of these, well outside the edge
-        std::array<PairColour, EdgeRow::most_pairs> colours;  // less the post's
-        Eigen::Vector3f background = Eigen::Vector3f::Zero();
-        float background_pairs = 0.0F;
-    };
-    struct Difference {
-        Eigen::Vector3f colour;
-        float size;
-    };
-    Eigen::Matrix3f background_noise(std::size_t side, const Eigen::Matrix3f& like);
-    void read_window(YuyvView image, const RowLayout& layout, int top, double edge, double outwards,
-                     double inner, double blur, const PostColour& colour, Window& window) const;
-
-    std::array<std::vector<Window>, 2> windows_;
-    std::array<std::vector<Eigen::Vector3f>, 2> backgrounds_;
-    std::vector<Difference> differences_;
-};
 
 }  // namespace goalmouth

@@ -17,12 +17,39 @@ double square(double x) {
     return x * x;
 }
 
-double share_below(double z) {
-    return 0.5 * std::erfc(-z / std::numbers::sqrt2);
-}
+/// Φ and φ of a normal deviate.
+struct Normal {
+    double below, density;
+};
 
-double density(double z) {
-    return std::exp(-0.5 * z * z) * (0.5 * std::numbers::inv_sqrtpi * std::numbers::sqrt2);
+/// The same from a table and Taylor's series between its places: to 1e-6.
+class NormalTable {
+  public:
+    NormalTable() {
+        for (std::size_t i = 0; i < table_.size(); ++i) {
+            const double z = (static_cast<double>(i) - middle) / per_sigma;
+            table_[i] = {0.5 * std::erfc(-z / std::numbers::sqrt2),
+                         std::exp(-0.5 * z * z) * (0.5 * std::numbers::inv_sqrtpi * std::numbers::sqrt2)};
+        }
+    }
+
+    Normal at(double z) const {
+        const double place = std::clamp(z * per_sigma + middle, 0.0, 2.0 * middle);
+        const double nearest = std::floor(place + 0.5);
+        const Normal& n = table_[static_cast<std::size_t>(nearest)];
+        const double here = (nearest - middle) / per_sigma, d = (place - nearest) / per_sigma;
+        return {n.below + d * n.density * (1.0 - 0.5 * d * here),
+                n.density * (1.0 - d * (here + 0.5 * d * (1.0 - here * here)))};
+    }
+
+  private:
+    static constexpr double per_sigma = 64.0, middle = 6.0 * per_sigma;
+    std::array<Normal, 2 * static_cast<std::size_t>(middle) + 1> table_;
+};
+
+const NormalTable& normal() {
+    static const NormalTable table;
+    return table;
 }
 
 /// Clear of an edge.
@@ -93,6 +120,7 @@ std::optional<PairColour> PostEndFinder::colour_at(double across, double slope, 
 
 bool PostEndFinder::gather(double slope, double outwards, double per_px) {
     samples_.clear();
+    gathered_outwards_ = 0.0;
     const double inner = 4.0 * search_.blur + 4.0, outer = clear_of(search_.blur) + 4.0;  // px
     const double most_across = std::clamp((radius_ - clear_of(search_.blur)) / radius_, 0.4, 0.6);
     double first_x = 1e9, last_x = -1e9, first_y = 1e9, last_y = -1e9;
@@ -108,7 +136,7 @@ bool PostEndFinder::gather(double slope, double outwards, double per_px) {
     first_x = std::max(first_x, border), last_x = std::min(last_x, image_.width - 1.0 - border);
     first_y = std::max(first_y, border), last_y = std::min(last_y, image_.height - 1.0 - border);
     if (!(first_x < last_x) || !(first_y < last_y)) return false;
-    constexpr int most_pairs = 14;  // of a row
+    constexpr int most_pairs = 10;  // of a row
     PixelRays rays(camera_);
     for (int row = static_cast<int>(std::ceil(first_y)); row <= static_cast<int>(last_y); ++row) {
         // Of a leaning post each row holds a part of its own.
@@ -121,8 +149,9 @@ bool PostEndFinder::gather(double slope, double outwards, double per_px) {
         const int step = std::max(1, (to - from + most_pairs) / most_pairs);
         for (int pair = std::max(0, from); pair <= to && 2 * pair + 1 < image_.width; pair += step) {
             const RowRay ray = rays.at(2.0 * pair + 0.5, row);
-            const double level = std::hypot(ray.ray.dot(post_.ahead), ray.ray.dot(post_.right));
-            const double across = ray.ray.dot(post_.right) / (level * sine_);
+            const double ahead = ray.ray.dot(post_.ahead), aside = ray.ray.dot(post_.right);
+            const double level = std::sqrt(ahead * ahead + aside * aside);
+            const double across = aside / (level * sine_);
             if (!(std::abs(across) <= most_across)) continue;
             const double here = ray.ray.dot(post_.up) / (level * rim(across));
             const double way = outwards * (here - slope) / per_px;
@@ -155,6 +184,7 @@ std::optional<PostEndFinder::Step> PostEndFinder::fit_step(double start_blur,
     step.outer = std::sqrt(static_cast<double>(strength));
     constexpr double blur_known =
         0.3;  // sigma of the logarithm: movement blurs edges along and across unlike
+    const NormalTable& normal_table = normal();
     Eigen::Matrix4d information = Eigen::Matrix4d::Identity();
     double squares = 0.0;
     for (int round = 0; round < 8; ++round) {
@@ -163,7 +193,8 @@ std::optional<PostEndFinder::Step> PostEndFinder::fit_step(double start_blur,
         squares = 0.0;
         for (const Sample& s : samples_) {
             const double z = (s.way - step.place) / step.blur;
-            const double share = share_below(z), slope = density(z) * (step.outer - step.inner);
+            const Normal at = normal_table.at(z);
+            const double share = at.below, slope = at.density * (step.outer - step.inner);
             const double miss = s.value - step.inner - (step.outer - step.inner) * share;
             const Eigen::Vector4d j(-slope / step.blur, -slope * z, 1.0 - share, share);
             information += j * j.transpose();
@@ -191,8 +222,9 @@ std::optional<PostEndFinder::Step> PostEndFinder::fit_step(double start_blur,
     squares = 0.0;
     for (const Sample& s : samples_) {
         const double z = (s.way - step.place) / step.blur;
-        const double miss = s.value - step.inner - (step.outer - step.inner) * share_below(z);
-        const double slope = -density(z) * (step.outer - step.inner) / step.blur;
+        const Normal at = normal_table.at(z);
+        const double miss = s.value - step.inner - (step.outer - step.inner) * at.below;
+        const double slope = -at.density * (step.outer - step.inner) / step.blur;
         if (s.row != row) rows += square(of_row), of_row = 0.0, row = s.row;
         of_row += miss;
         squares += square(miss);
@@ -231,7 +263,14 @@ std::optional<PostEnd> PostEndFinder::find(double slope, double outwards, const 
     PostEnd end;
     end.per_px = 1.0 / along.norm();
     radius_ = 0.5 * (*right - *left).norm();
-    if (!gather(slope, outwards, end.per_px)) return std::nullopt;
+    // Near to where it was looked for before the same pixels are asked once more.
+    constexpr double near = 1.0;  // px
+    const double moved = outwards * (slope - gathered_at_) / end.per_px;
+    if (outwards == gathered_outwards_ && std::abs(moved) < near)
+        for (Sample& s : samples_) s.way -= moved;
+    else if (!gather(slope, outwards, end.per_px))
+        return std::nullopt;
+    gathered_at_ = slope, gathered_outwards_ = outwards;
     // A pair of pixels is as wide as one is high, and once more along the row.
     const double leaning = along.x() * end.per_px;
     const auto step =

@@ -99,6 +99,7 @@ class PostEndFinder {
     double near_ = 1.0;    // the rim's side that is seen: 1 the nearer, −1 the farther one
     double radius_ = 0.0;  // px, half the post's width at the end
     std::vector<Sample> samples_;
+    double gathered_at_ = 0.0, gathered_outwards_ = 0.0;  // slope and direction they are of; 0: of none
 };
 
 }  // namespace goalmouth

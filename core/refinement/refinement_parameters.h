@@ -8,7 +8,7 @@ namespace goalmouth {
 
 struct RefinementParameters {
     double least_quality = 0.5;
-    int most_rows = 250;
+    int most_rows = 160;
     double start_tolerance = 0.2;
     double start_floor = 0.0075;
     double least_width = 2.5;
@@ -32,7 +32,8 @@ template <class Visitor>
 void describe_parameters(Visitor& v, RefinementParameters& p) {
     v("least_quality", p.least_quality, Range{0, 1}, "1",
       "a post of which the pixels fit worse is handed on as the detector measured it");
-    v("most_rows", p.most_rows, Range{16, 2000}, "1", "rows in which a post's edges are measured, at most");
+    v("most_rows", p.most_rows, Range{16, 2000}, "1",
+      "rows in which a post's edges are measured, at most: of more, neighbours are averaged");
     v("start_tolerance", p.start_tolerance, Range{0, 0.5}, "1",
       "how far beside the detector's edges the post's may lie, as a share of its width, or start_floor");
     v("start_floor", p.start_floor, Range{0, 0.1}, "1",

@@ -1,174 +1,185 @@
 #include "core/refinement/row_measurement.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include <Eigen/LU>
+// Before Highway:
+#include "core/segmentation/vector_targets.h"
+//
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/refinement/row_measurement.cpp"
+#include <hwy/foreach_target.h>  // IWYU pragma: keep
+//
+#include <hwy/highway.h>
+//
+#include "core/refinement/step_profile-inl.h"
 
-namespace goalmouth {
+HWY_BEFORE_NAMESPACE();
+namespace goalmouth::HWY_NAMESPACE {
 
-namespace {
+namespace hn = hwy::HWY_NAMESPACE;
 
 template <bool with_blur>
-void measure(EdgeRow& row, const StepProfile& profile, double edge, double outwards, double width,
-             double noise, BlurEvidence* blur) {
-    const float a = row.inner.value;
-    const float b = row.outer.value;
-    const float height = b - a;
-    const auto out = static_cast<float>(outwards);
-    const float start = out * (row.first - static_cast<float>(edge));
-    const float step = 2.0F * out;
-    float tt = 0.0F, ta = 0.0F, tb = 0.0F, aa = 0.0F, ab = 0.0F, bb = 0.0F;
-    float rt = 0.0F, ra = 0.0F, rb = 0.0F, rr = 0.0F;
-    float ss = 0.0F, sd = 0.0F, dd = 0.0F, rs = 0.0F, rd = 0.0F, ts = 0.0F, td = 0.0F;
-    float sa = 0.0F, sb = 0.0F, da = 0.0F, db = 0.0F;
-    float inner = 0.0F, inner_weight = 0.0F, outer = 0.0F, outer_weight = 0.0F;
-    const auto across = static_cast<float>(width);
-    for (int i = 0; i < row.pairs; ++i) {
-        const float x = start + step * static_cast<float>(i);
-        const StepProfile::Value e = profile.at(x);
-        float value = row.values[static_cast<std::size_t>(i)];
-        if (across > 0.0F) value -= (row.other_edge - a) * profile.at(-x - across).step;
-        const float r = value - a - height * e.step;
-        const float t = -height * e.slope;
-        const float in = 1.0F - e.step;
-        if (e.step > 0.9F) {
-            outer += e.step * (value - in * a);
-            outer_weight += e.step * e.step;
-        } else if (in > 0.9F) {
-            inner += in * (value - e.step * b);
-            inner_weight += in * in;
+HWY_INLINE void measure_lanes(const EdgeRows& rows, const EdgePieces& pieces, const SupposedEdges& edges,
+                              float outwards, float noise, std::size_t row, RowMeasurements& measured,
+                              BlurRows* blur) {
+    const Floats d;
+    const EdgeRows::Pixels& pixels = rows.pixels[row / EdgeRows::block];
+    const std::size_t lane = row % EdgeRows::block;
+    const auto zero = hn::Zero(d), one = hn::Set(d, 1.0F), most_share = hn::Set(d, 0.9F);
+    const auto pairs = hn::LoadU(d, rows.pairs.data() + row);
+    const auto a = hn::LoadU(d, rows.inner.data() + row), b = hn::LoadU(d, rows.outer.data() + row);
+    const auto height = hn::Sub(b, a);
+    const auto start = hn::LoadU(d, edges.start.data() + row);
+    const auto across = hn::LoadU(d, edges.across.data() + row);
+    const auto narrow = hn::Gt(across, zero);
+    const bool any_narrow = !hn::AllFalse(d, narrow);
+    const auto beyond = hn::Sub(hn::LoadU(d, rows.other_edge.data() + row), a);
+
+    LaneSum tt, ta, tb, aa, ab, bb, rt, ra, rb, rr;
+    LaneSum ss, sd, dd, rs, rd, ts, td, sa, sb, da, db;
+    LaneSum inner, inner_weight, outer, outer_weight;
+    const auto most = static_cast<std::size_t>(hn::GetLane(hn::MaxOfLanes(d, pairs)));
+    for (std::size_t i = 0; i < most; ++i) {
+        const auto there = hn::Lt(hn::Set(d, static_cast<float>(i)), pairs);
+        const auto x = hn::Add(start, hn::Set(d, 2.0F * outwards * static_cast<float>(i)));
+        const EdgePieces::Place place = pieces.place(x);
+        FloatVector step, slope;
+        pieces.step(place, step, slope);
+        auto value = hn::Load(d, pixels.value[i].data() + lane);
+        if (any_narrow) {
+            FloatVector other, unused;
+            pieces.step(pieces.place(hn::Sub(hn::Neg(x), across)), other, unused);
+            value = hn::Sub(value, hn::IfThenElseZero(narrow, hn::Mul(beyond, other)));
         }
-        tt += t * t, ta += t * in, tb += t * e.step;
-        aa += in * in, ab += in * e.step, bb += e.step * e.step;
-        rt += r * t, ra += r * in, rb += r * e.step, rr += r * r;
+        const auto far_out = hn::And(there, hn::Gt(step, most_share));
+        const auto in_all = hn::Sub(one, step);
+        const auto far_in = hn::And(there, hn::Gt(in_all, most_share));
+        outer.add(hn::IfThenElseZero(far_out, step), hn::Sub(value, hn::Mul(in_all, a)));
+        outer_weight.add(hn::IfThenElseZero(far_out, step), step);
+        inner.add(hn::IfThenElseZero(far_in, in_all), hn::Sub(value, hn::Mul(step, b)));
+        inner_weight.add(hn::IfThenElseZero(far_in, in_all), in_all);
+
+        const auto r = hn::IfThenElseZero(there, hn::Sub(hn::Sub(value, a), hn::Mul(height, step)));
+        const auto t = hn::IfThenElseZero(there, hn::Neg(hn::Mul(height, slope)));
+        const auto in = hn::IfThenElseZero(there, in_all);
+        const auto out = hn::IfThenElseZero(there, step);
+        tt.add(t, t), ta.add(t, in), tb.add(t, out);
+        aa.add(in, in), ab.add(in, out), bb.add(out, out);
+        rt.add(r, t), ra.add(r, in), rb.add(r, out), rr.add(r, r);
         if constexpr (with_blur) {
-            const float s = height * e.blur;
-            const float d = height * e.digital;
-            ss += s * s, sd += s * d, dd += d * d, rs += r * s, rd += r * d, ts += t * s, td += t * d;
-            sa += s * in, sb += s * e.step, da += d * in, db += d * e.step;
+            FloatVector by_blur, by_digital;
+            pieces.blur(place, by_blur, by_digital);
+            const auto s = hn::IfThenElseZero(there, hn::Mul(height, by_blur));
+            const auto g = hn::IfThenElseZero(there, hn::Mul(height, by_digital));
+            ss.add(s, s), sd.add(s, g), dd.add(g, g), rs.add(r, s), rd.add(r, g), ts.add(t, s), td.add(t, g);
+            sa.add(s, in), sb.add(s, out), da.add(g, in), db.add(g, out);
         }
     }
-    row.own_inner = {inner_weight > 0.0F ? inner / inner_weight : a, inner_weight};
-    row.own_outer = {outer_weight > 0.0F ? outer / outer_weight : b, outer_weight};
-    const auto n = static_cast<float>(noise);
+    const auto mean_or = [&](const LaneSum& sum, const LaneSum& weight, FloatVector other) HWY_ATTR {
+        const auto some = hn::Gt(weight.all, zero);
+        return hn::IfThenElse(some, hn::Div(sum.all, hn::IfThenElse(some, weight.all, one)), other);
+    };
+    hn::StoreU(mean_or(inner, inner_weight, a), d, measured.own_inner.data() + row);
+    hn::StoreU(mean_or(outer, outer_weight, b), d, measured.own_outer.data() + row);
+    hn::StoreU(inner_weight.all, d, measured.own_inner_weight.data() + row);
+    hn::StoreU(outer_weight.all, d, measured.own_outer_weight.data() + row);
+
     // Levels eliminated; everything in units of the noise's variance.
-    const float pa = n / std::max(row.inner.variance, 1e-6F);
-    const float pb = n / std::max(row.outer.variance, 1e-6F);
-    const float naa = aa + pa, nbb = bb + pb;
-    const float det = naa * nbb - ab * ab;
-    const float ia = nbb / det, iab = -ab / det, ib = naa / det;
-    const float ca = ia * ta + iab * tb;  // (N_ll + P)⁻¹ N_lt
-    const float cb = iab * ta + ib * tb;
-    const float left = tt - ta * ca - tb * cb;
-    if (!(left > 0.0F) || !std::isfinite(left)) {
-        row.offset = 0.0F;
-        row.information = 0.0F;
-        row.misfit = 0.0F;
-        return;
-    }
-    const float reduced = rt - ca * ra - cb * rb;
-    row.offset = reduced / left;
-    row.information = left / n;
-    const float la = ia * ra + iab * rb, lb = iab * ra + ib * rb;
-    const float used = 1.0F + (ia * aa + 2.0F * iab * ab + ib * bb);  // degrees of freedom, of the levels
-    const float rest = rr - (ra * la + rb * lb) - reduced * row.offset;
-    row.freedom = std::max(1.0F, static_cast<float>(row.pairs) - used);
-    row.misfit = std::max(0.0F, rest) / row.freedom;
+    const auto n = hn::Set(d, noise), least_variance = hn::Set(d, 1e-6F);
+    const auto known = [&](const RowColumn<float>& variance) HWY_ATTR {
+        return hn::Div(n, hn::Max(hn::LoadU(d, variance.data() + row), least_variance));
+    };
+    const auto naa = hn::Add(aa.all, known(rows.inner_variance));
+    const auto nbb = hn::Add(bb.all, known(rows.outer_variance));
+    const auto per_det = hn::Div(one, hn::Sub(hn::Mul(naa, nbb), hn::Mul(ab.all, ab.all)));
+    const auto ia = hn::Mul(nbb, per_det), iab = hn::Neg(hn::Mul(ab.all, per_det)),
+               ib = hn::Mul(naa, per_det);
+    const auto two = [&](FloatVector p, FloatVector q, FloatVector u, FloatVector v)
+                         HWY_ATTR { return hn::Add(hn::Mul(p, q), hn::Mul(u, v)); };
+    const auto ca = two(ia, ta.all, iab, tb.all), cb = two(iab, ta.all, ib, tb.all);
+    const auto left = hn::Sub(tt.all, two(ta.all, ca, tb.all, cb));
+    constexpr float largest = 1e30F;
+    const auto told =
+        hn::And(hn::Gt(pairs, zero), hn::And(hn::Gt(left, zero), hn::Lt(left, hn::Set(d, largest))));
+    const auto per_left = hn::Div(one, hn::IfThenElse(told, left, one));
+    const auto reduced = hn::Sub(rt.all, two(ca, ra.all, cb, rb.all));
+    const auto offset = hn::IfThenElseZero(told, hn::Mul(reduced, per_left));
+    hn::StoreU(offset, d, measured.offset.data() + row);
+    hn::StoreU(hn::IfThenElseZero(told, hn::Div(left, n)), d, measured.information.data() + row);
+    const auto la = two(ia, ra.all, iab, rb.all), lb = two(iab, ra.all, ib, rb.all);
+    // Degrees of freedom: those of the levels are the less, the better the neighbours know them.
+    const auto of_levels =
+        hn::Add(two(ia, aa.all, ib, bb.all), hn::Mul(hn::Set(d, 2.0F), hn::Mul(iab, ab.all)));
+    const auto freedom = hn::Max(one, hn::Sub(hn::Sub(pairs, one), of_levels));
+    const auto rest = hn::Sub(hn::Sub(rr.all, two(ra.all, la, rb.all, lb)), hn::Mul(reduced, offset));
+    hn::StoreU(freedom, d, measured.freedom.data() + row);
+    hn::StoreU(hn::IfThenElseZero(told, hn::Div(hn::Max(zero, rest), freedom)), d,
+               measured.misfit.data() + row);
     if constexpr (with_blur) {
         // The same for what they say about the blur, levels and offset eliminated.
-        const float s_a = ia * sa + iab * sb, s_b = iab * sa + ib * sb;
-        const float d_a = ia * da + iab * db, d_b = iab * da + ib * db;
-        const float st = ts - (sa * ca + sb * cb), dt = td - (da * ca + db * cb);
-        const float w = row.weight / n, per = 1.0F / left;
-        blur->information(0, 0) += static_cast<double>(w * (ss - sa * s_a - sb * s_b - st * st * per));
-        blur->information(0, 1) += static_cast<double>(w * (sd - sa * d_a - sb * d_b - st * dt * per));
-        blur->information(1, 1) += static_cast<double>(w * (dd - da * d_a - db * d_b - dt * dt * per));
-        blur->pull[0] += static_cast<double>(w * (rs - ra * s_a - rb * s_b - st * row.offset));
-        blur->pull[1] += static_cast<double>(w * (rd - ra * d_a - rb * d_b - dt * row.offset));
-    }
-}
-
-}  // namespace
-
-void measure_row(EdgeRow& row, const StepProfile& profile, double edge, double outwards, double width,
-                 double noise, BlurEvidence* blur) {
-    if (blur != nullptr)
-        measure<true>(row, profile, edge, outwards, width, noise, blur);
-    else
-        measure<false>(row, profile, edge, outwards, width, noise, nullptr);
-}
-
-void LevelSmoother::add_up(const std::vector<EdgeRow>& rows, OwnLevel EdgeRow::*own) {
-    sums_.resize(rows.size() + 1);
-    sums_[0] = {};
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        sums_[i + 1] = sums_[i];
-        const OwnLevel& level = rows[i].*own;
-        if (!rows[i].seen || !(level.weight > 0.0F)) continue;
-        const auto w = static_cast<double>(level.weight);
-        const auto v = static_cast<double>(level.value);
-        sums_[i + 1].weight += w;
-        sums_[i + 1].value += w * v;
-        sums_[i + 1].square += w * v * v;
-        sums_[i + 1].count += 1.0;
-    }
-}
-
-EdgeLevel LevelSmoother::level(std::size_t row, std::size_t reach, const OwnLevel& own, double noise) const {
-    constexpr double unknown = 1e4;
-    const std::size_t rows = sums_.size() - 1;
-    struct Found {
-        double mean = 0.0, scatter = 0.0, weight = 0.0, count = 0.0;
-    };
-    // Rows from…to, the row itself left out.
-    const auto between = [&](std::size_t from, std::size_t to) {
-        Sums sum;
-        const auto add = [&](std::size_t first, std::size_t last) {
-            sum.weight += sums_[last].weight - sums_[first].weight;
-            sum.value += sums_[last].value - sums_[first].value;
-            sum.square += sums_[last].square - sums_[first].square;
-            sum.count += sums_[last].count - sums_[first].count;
+        const auto s_a = two(ia, sa.all, iab, sb.all), s_b = two(iab, sa.all, ib, sb.all);
+        const auto d_a = two(ia, da.all, iab, db.all), d_b = two(iab, da.all, ib, db.all);
+        const auto st = hn::Sub(ts.all, two(sa.all, ca, sb.all, cb));
+        const auto dt = hn::Sub(td.all, two(da.all, ca, db.all, cb));
+        const auto per_noise = hn::Div(one, n);
+        const auto store = [&](FloatVector all, FloatVector levels, FloatVector by_offset,
+                               RowColumn<float>& column) HWY_ATTR {
+            const auto own = hn::Sub(hn::Sub(all, levels), by_offset);
+            hn::StoreU(hn::IfThenElseZero(told, hn::Mul(own, per_noise)), d, column.data() + row);
         };
-        if (from < row) add(from, std::min(row, to));
-        if (to > row + 1) add(std::max(row + 1, from), to);
-        Found found;
-        if (!(sum.weight > 0.5)) return found;
-        found.mean = sum.value / sum.weight;
-        found.scatter = std::max(0.0, sum.square / sum.weight - found.mean * found.mean);
-        found.weight = sum.weight;
-        found.count = sum.count;
-        return found;
-    };
-    const auto real = [&](const Found& f) { return std::max(0.0, f.scatter - noise * f.count / f.weight); };
-    const std::size_t before = row - std::min(row, reach), after = std::min(rows, row + 1 + reach);
-    Found best = between(before, after);
-    const double own_weight = std::max(0.25, static_cast<double>(own.weight));
-    const auto unlike = [&](const Found& f) {
-        const double d = f.mean - static_cast<double>(own.value);
-        return d * d - noise / own_weight;
-    };
-    if (best.weight > 0.0 &&
-        std::max(real(best), unlike(best)) > 10.0 * noise * (best.count / best.weight + 1.0 / own_weight)) {
-        const Found above = between(row - std::min(row, 2 * reach), row);
-        const Found below = between(row + 1, std::min(rows, row + 1 + 2 * reach));
-        for (const Found& side : {above, below})
-            if (side.weight > 0.0 && real(side) + unlike(side) < real(best) + unlike(best)) best = side;
+        store(ss.all, two(sa.all, s_a, sb.all, s_b), hn::Mul(hn::Mul(st, st), per_left), blur->blur);
+        store(sd.all, two(sa.all, d_a, sb.all, d_b), hn::Mul(hn::Mul(st, dt), per_left), blur->shared);
+        store(dd.all, two(da.all, d_a, db.all, d_b), hn::Mul(hn::Mul(dt, dt), per_left), blur->digital);
+        store(rs.all, two(ra.all, s_a, rb.all, s_b), hn::Mul(st, offset), blur->blur_pull);
+        store(rd.all, two(ra.all, d_a, rb.all, d_b), hn::Mul(dt, offset), blur->digital_pull);
     }
-    if (!(best.weight > 0.0)) return {own.value, static_cast<float>(unknown)};
-    const double variance =
-        real(best) + std::max(0.0, unlike(best) - 6.0 * noise / own_weight) + noise / best.weight;
-    return {static_cast<float>(best.mean), static_cast<float>(variance)};
 }
 
-void LevelSmoother::smooth(std::vector<EdgeRow>& rows, double noise) {
-    constexpr std::size_t outer_reach = 6, inner_reach = 12;
-    add_up(rows, &EdgeRow::own_inner);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].seen) rows[i].inner = level(i, inner_reach, rows[i].own_inner, noise);
-    add_up(rows, &EdgeRow::own_outer);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].seen) rows[i].outer = level(i, outer_reach, rows[i].own_outer, noise);
+void measure_rows(const EdgeRows& rows, const StepProfile& profile, const SupposedEdges& edges,
+                  float outwards, float noise, const std::vector<bool>* blocks, RowMeasurements& measured,
+                  BlurRows* blur) {
+    const EdgePieces pieces(profile);
+    for (std::size_t row = 0; row < rows.count; row += hn::Lanes(Floats())) {
+        if (blocks != nullptr && !(*blocks)[row / EdgeRows::block]) continue;
+        if (blur != nullptr)
+            measure_lanes<true>(rows, pieces, edges, outwards, noise, row, measured, blur);
+        else
+            measure_lanes<false>(rows, pieces, edges, outwards, noise, row, measured, nullptr);
+    }
+}
+
+}  // namespace goalmouth::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace goalmouth {
+
+HWY_EXPORT(measure_rows);
+
+void measure_rows(const EdgeRows& rows, const StepProfile& profile, const SupposedEdges& edges,
+                  float outwards, float noise, const std::vector<bool>* blocks, RowMeasurements& measured,
+                  BlurRows* blur) {
+    HWY_DYNAMIC_DISPATCH(measure_rows)(rows, profile, edges, outwards, noise, blocks, measured, blur);
+}
+
+void BlurRows::assign(std::size_t rows) {
+    for (RowColumn<float>* column : {&blur, &shared, &digital, &blur_pull, &digital_pull})
+        column->assign(rows);
+}
+
+BlurEvidence BlurRows::evidence(const EdgeRows& rows) const {
+    BlurEvidence sum;
+    for (std::size_t i = 0; i < rows.count; ++i) {
+        const auto w = static_cast<double>(rows.weight[i]);
+        sum.information(0, 0) += w * static_cast<double>(blur[i]);
+        sum.information(0, 1) += w * static_cast<double>(shared[i]);
+        sum.information(1, 1) += w * static_cast<double>(digital[i]);
+        sum.pull[0] += w * static_cast<double>(blur_pull[i]);
+        sum.pull[1] += w * static_cast<double>(digital_pull[i]);
+    }
+    sum.information(1, 0) = sum.information(0, 1);
+    return sum;
 }
 
 }  // namespace goalmouth
+#endif

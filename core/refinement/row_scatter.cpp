@@ -3,34 +3,30 @@
 #include <cmath>
 
 namespace goalmouth {
-namespace {
-
-double standardised(const EdgeRow& row) {
-    const double variance = 1.0 / static_cast<double>(row.information) + edge_roughness * edge_roughness;
-    return static_cast<double>(row.offset) / std::sqrt(variance);
-}
-
-}  // namespace
-
-RowScatter row_scatter(const std::array<std::vector<EdgeRow>, 2>& rows) {
+RowScatter row_scatter(const std::array<EdgeRows, 2>& rows) {
     RowScatter found;
     double squares = 0.0, total = 0.0;
     std::array<double, 8> together{}, pairs{};  // by how many rows lie between
     for (std::size_t side = 0; side < 2; ++side) {
-        for (std::size_t i = 0; i < rows[side].size(); ++i) {
-            const EdgeRow& row = rows[side][i];
-            if (!row.seen || !(row.information > 0.0F)) continue;
+        // In sigmas of their noise; 0 for rows that hardly count.
+        RowColumn<double> standardised, counts;
+        standardised.assign(rows[side].count);
+        counts.assign(rows[side].count);
+        for (std::size_t i = 0; i < rows[side].count; ++i) {
+            if (!rows[side].told(i)) continue;
             ++found.looked_at[side];
-            if (row.weight < 0.5F) continue;
+            if (rows[side].weight[i] < 0.5F) continue;
             ++found.agreeing[side];
-            const double s = standardised(row);
-            squares += s * s;
+            standardised[i] =
+                static_cast<double>(rows[side].measured.offset[i]) / std::sqrt(rows[side].variance(i));
+            counts[i] = 1.0;
+            squares += standardised[i] * standardised[i];
             total += 1.0;
-            for (std::size_t k = 1; k <= together.size() && i + k < rows[side].size(); ++k) {
-                const EdgeRow& other = rows[side][i + k];
-                if (!other.seen || !(other.information > 0.0F) || !(other.weight >= 0.5F)) continue;
-                together[k - 1] += s * standardised(other);
-                pairs[k - 1] += 1.0;
+        }
+        for (std::size_t k = 1; k <= together.size(); ++k) {
+            for (std::size_t i = 0; i < rows[side].count; ++i) {
+                together[k - 1] += standardised[i] * standardised[i + k];
+                pairs[k - 1] += counts[i] * counts[i + k];
             }
         }
     }

@@ -3,7 +3,6 @@
 #include "core/refinement/edge_rows.h"
 
 #include <array>
-#include <vector>
 
 namespace goalmouth {
 
@@ -17,6 +16,6 @@ struct RowScatter {
 };
 
 /// How the offsets of the rows that count scatter about the fit.
-RowScatter row_scatter(const std::array<std::vector<EdgeRow>, 2>& rows);
+RowScatter row_scatter(const std::array<EdgeRows, 2>& rows);
 
 }  // namespace goalmouth

@@ -1,5 +1,7 @@
 #include "core/refinement/silhouette_fit.h"
 
+#include "core/refinement/level_smoother.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -61,196 +63,240 @@ PostSilhouette upright(const PostSilhouette& post, const SilhouettePrior& prior)
 
 }  // namespace
 
-double SilhouetteFitter::other_edge(const SilhouetteFit& state, std::size_t side, std::size_t row,
-                                    double here) const {
-    const double width = outwards(1 - side) * (crossing(rows_[1 - side][row], 1 - side) - here);
-    return width < 10.0 * state.blur + 4.0 ? std::max(width, 1.0) : 0.0;
+namespace {
+
+/// px to the other edge, where that is near enough to matter.
+float near_edge(double width, double blur) {
+    return width < 10.0 * blur + 4.0 ? static_cast<float>(std::max(width, 1.0)) : 0.0F;
 }
 
-void SilhouetteFitter::measure(const SilhouetteFit& state, BlurEvidence* blur) {
+StepEquations equations_of(const SilhouettePrior& prior, const PostSilhouette& post) {
+    using namespace silhouette_part;
+    StepEquations known;
+    const auto hold = [&](int part, double off, double sigma) {
+        known.information(part, part) = 1.0 / (sigma * sigma);
+        known.pull[part] = -off / (sigma * sigma);
+    };
+    hold(lean, lean_from(prior.up, post), prior.lean_sigma);
+    hold(roll, roll_from(prior.up, post), prior.roll_sigma);
+    if (prior.half_angle_sigma > 0.0)
+        hold(half_angle, post.half_angle - prior.half_angle, prior.half_angle_sigma);
+    return known;
+}
+
+bool is_post(const PostSilhouette& post) {
+    constexpr double widest = 1.2;  // rad
+    return post.half_angle > 0.0 && post.half_angle <= widest;
+}
+
+}  // namespace
+
+void SilhouetteFitter::read(const Task& task, RowLayout& layout, const SilhouetteFit& state) {
+    layout.inner = 3.0 * state.blur + 2.0;
+    layout.outer = 4.0 * state.blur + 3.0;
+    reader_.read(task.image, task.camera, state.post, task.colour, layout, state.blur, task.least_contrast,
+                 rows_);
+    for (std::size_t side = 0; side < 2; ++side) {
+        EdgeRows& rows = rows_[side];
+        for (std::size_t i = 0; i < rows.count; ++i) {
+            if (!edges_[side]) rows.pairs[i] = 0.0F;
+            rows.weight[i] = rows.clean[i] = rows.seen(i) ? 1.0F : 0.0F;
+        }
+        supposed_[side].start.assign(rows.count);
+        supposed_[side].across.assign(rows.count);
+        blur_[side].assign(rows.count);
+    }
+    measure(state, false);
+    smooth(state);
+}
+
+void SilhouetteFitter::measure(const SilhouetteFit& state, bool blur) {
+    // The other edge counts where it is hidden as well.
+    for (std::size_t side = 0; side < 2; ++side) place_edges(planes_[side], rows_[side]);
     for (std::size_t side = 0; side < 2; ++side) {
         if (!edges_[side]) continue;
-        for (std::size_t i = 0; i < rows_[side].size(); ++i) {
-            EdgeRow& row = rows_[side][i];
-            if (!row.seen) continue;
-            const double here = crossing(row, side);
-            row.edge = static_cast<float>(here);
-            measure_row(row, profile_, here, outwards(side), other_edge(state, side, i, here),
-                        state.noise[side], blur);
+        EdgeRows& rows = rows_[side];
+        for (std::size_t i = 0; i < rows.count; ++i) {
+            if (!rows.seen(i)) continue;
+            supposed_[side].start[i] = static_cast<float>(outwards(side) * (rows.first[i] - rows.edge[i]));
+            supposed_[side].across[i] = near_edge(rows_[1].edge[i] - rows_[0].edge[i], state.blur);
         }
+        measure_rows(rows, profile_, supposed_[side], static_cast<float>(outwards(side)),
+                     static_cast<float>(state.noise[side]), nullptr, rows.measured,
+                     blur ? &blur_[side] : nullptr);
     }
 }
 
 void SilhouetteFitter::smooth(const SilhouetteFit& state) {
     for (std::size_t side = 0; side < 2; ++side)
-        if (edges_[side]) smoother_.smooth(rows_[side], state.noise[side]);
+        if (edges_[side]) smooth_levels(rows_[side], static_cast<float>(state.noise[side]));
 }
 
-void SilhouetteFitter::measure_apart(const SilhouetteFit& state) {
+void SilhouetteFitter::measure_apart(const SilhouetteFit& state, std::size_t side) {
     constexpr float apart = 0.4F, reach = 3.0F;  // px
-    for (std::size_t side = 0; side < 2; ++side) {
-        for (std::size_t i = 0; i < rows_[side].size(); ++i) {
-            EdgeRow& row = rows_[side][i];
-            if (!row.seen || !(std::abs(row.offset) > apart)) continue;
-            const EdgeRow before = row;
-            const double here = crossing(row, side);
-            double own = here;
-            for (int round = 0; round < 3; ++round) {
-                own += outwards(side) * static_cast<double>(std::clamp(row.offset, -1.0F, 1.0F));
-                if (!(std::abs(own - here) < static_cast<double>(reach))) break;
-                measure_row(row, profile_, own, outwards(side), other_edge(state, side, i, own),
-                            state.noise[side], nullptr);
-            }
-            const double offset = outwards(side) * (own - here) +
-                                  static_cast<double>(std::abs(row.offset) < 1.0F ? row.offset : 0.0F);
-            if (!(std::abs(offset) < static_cast<double>(reach)) || !(row.information > 0.0F)) {
-                row = before;
-                continue;
-            }
-            row.offset = static_cast<float>(offset);
+    constexpr int rounds = 3;
+    EdgeRows& rows = rows_[side];
+    const auto is_apart = [&](std::size_t i) { return std::abs(rows.measured.offset[i]) > apart; };
+    apart_blocks_.assign(rows.blocks(), false);
+    for (std::size_t i = 0; i < rows.count; ++i)
+        if (is_apart(i)) apart_blocks_[i / EdgeRows::block] = true;
+    if (std::none_of(apart_blocks_.begin(), apart_blocks_.end(), [](bool any) { return any; })) return;
+    apart_rows_.assign(rows.count);
+    shift_.assign(rows.count);
+    apart_edges_ = supposed_[side];
+    for (std::size_t i = 0; i < rows.count; ++i) apart_rows_.offset[i] = rows.measured.offset[i];
+    for (int round = 0; round < rounds; ++round) {
+        for (std::size_t i = 0; i < rows.count; ++i) {
+            // Once out of reach it stays there.
+            if (!is_apart(i) || !(std::abs(shift_[i]) < reach)) continue;
+            shift_[i] += std::clamp(apart_rows_.offset[i], -1.0F, 1.0F);
+            apart_edges_.start[i] = supposed_[side].start[i] - shift_[i];
+            apart_edges_.across[i] =
+                near_edge(rows_[1].edge[i] - rows_[0].edge[i] + static_cast<double>(shift_[i]), state.blur);
         }
+        measure_rows(rows, profile_, apart_edges_, static_cast<float>(outwards(side)),
+                     static_cast<float>(state.noise[side]), &apart_blocks_, apart_rows_, nullptr);
+    }
+    for (std::size_t i = 0; i < rows.count; ++i) {
+        if (!is_apart(i)) continue;
+        const float rest = std::abs(apart_rows_.offset[i]) < 1.0F ? apart_rows_.offset[i] : 0.0F;
+        const float offset = shift_[i] + rest;
+        if (!(std::abs(shift_[i]) < reach) || !(std::abs(offset) < reach) ||
+            !(apart_rows_.information[i] > 0.0F))
+            continue;
+        rows.measured.copy(apart_rows_, i);
+        rows.measured.offset[i] = offset;
     }
 }
 
 void SilhouetteFitter::turns(const SilhouetteFit& state) {
     for (std::size_t side = 0; side < 2; ++side) {
         const Eigen::Vector3d change = state.post.plane_change(sides[side]).col(silhouette_part::roll);
-        for (EdgeRow& row : rows_[side]) {
-            const double miss = crossing(row, side) - row.ray.x;
-            const Eigen::Vector3d ray = row.ray.ray + miss * row.ray.slope;
-            row.turn =
-                static_cast<float>(-outwards(side) * change.dot(ray) / planes_[side].dot(row.ray.slope));
+        EdgeRows& rows = rows_[side];
+        for (std::size_t i = 0; i < rows.count; ++i) {
+            if (!rows.seen(i)) continue;
+            const double miss = rows.edge[i] - rows.column[i];
+            const double along = change.x() * (rows.ray_x[i] + miss * rows.slope_x[i]) +
+                                 change.y() * (rows.ray_y[i] + miss * rows.slope_y[i]) + change.z();
+            const double per_px = planes_[side].x() * rows.slope_x[i] + planes_[side].y() * rows.slope_y[i];
+            rows.turn[i] = static_cast<float>(-outwards(side) * along / per_px);
         }
     }
 }
 
-void SilhouetteFitter::fit_blur(SilhouetteFit& state, BlurEvidence& evidence) {
+void SilhouetteFitter::fit_blur(SilhouetteFit& state) const {
+    BlurEvidence evidence;
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (!edges_[side]) continue;
+        const BlurEvidence own = blur_[side].evidence(rows_[side]);
+        evidence.information += own.information;
+        evidence.pull += own.pull;
+    }
     // The share lies between 0 and 1: what is known of it before.
     constexpr double share_sigma = 0.5;
-    Eigen::Matrix2d information = evidence.information;
-    information(1, 0) = information(0, 1);
-    information(1, 1) += 1.0 / (share_sigma * share_sigma);
+    evidence.information(1, 1) += 1.0 / (share_sigma * share_sigma);
     evidence.pull[1] -= (state.digital - 0.5) / (share_sigma * share_sigma);
-    const Eigen::Vector2d change = information.ldlt().solve(evidence.pull);
+    const Eigen::Vector2d change = evidence.information.ldlt().solve(evidence.pull);
     if (!change.allFinite()) return;
     state.blur = std::clamp(state.blur + std::clamp(change[0], -0.3 * state.blur, state.blur), narrowest_blur,
                             widest_blur);
     state.digital = std::clamp(state.digital + change[1], 0.0, 1.0);
 }
 
-SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, const PostColour& colour,
-                                    const PostSilhouette& start, const SilhouettePrior& prior,
-                                    const RowLayout& layout, const std::array<bool, 2>& edges,
-                                    double least_contrast) {
+bool SilhouetteFitter::settle(const Task& task, RowLayout layout, SilhouetteFit& state) {
     constexpr int most_iterations = 10;
+    constexpr int settled = 5;  // then rows that come and go with the step would keep it from settling
     constexpr int most_readings = 3;
-    constexpr int settled = 5;
-    SilhouetteFit state;
-    state.post = start;
-    state.blur = 0.9;
-    edges_ = edges;
-    RowLayout reading = layout;
     int readings = 0;
     bool read_anew = true;
-    Information information = Information::Zero(), prior_information = Information::Zero();
-    SilhouetteStep pull = SilhouetteStep::Zero(), prior_pull = SilhouetteStep::Zero();
-    constexpr double rough = edge_roughness * edge_roughness;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
         for (std::size_t side = 0; side < 2; ++side) planes_[side] = state.post.plane(sides[side]);
         profile_.set_blur(state.blur, state.digital);
-        const int readings_before = readings;
+        const bool just_read = read_anew;
         if (read_anew) {
-            reading.inner = 3.0 * state.blur + 2.0;
-            reading.outer = 4.0 * state.blur + 3.0;
-            reader_.read(image, camera, state.post, colour, reading, state.blur, least_contrast, rows_);
-            for (std::size_t side = 0; side < 2; ++side)
-                for (EdgeRow& row : rows_[side]) row.seen = row.seen && edges_[side], row.weight = 1.0F;
-            measure(state, nullptr);
-            smooth(state);
+            read(task, layout, state);
             ++readings;
             read_anew = false;
         }
-        BlurEvidence blur;
-        const bool just_read = readings_before != readings;
         const bool blur_open = iteration > 0 && iteration <= settled;
-        measure(state, blur_open ? &blur : nullptr);
+        measure(state, blur_open);
         const bool ask_all = iteration == 2 || iteration == 4 || (just_read && iteration > 4);
-        if (ask_all) measure_apart(state);
-        // Rows that come and go with the step would keep it from settling.
+        if (ask_all)
+            for (std::size_t side = 0; side < 2; ++side)
+                if (edges_[side]) measure_apart(state, side);
         if (iteration < settled || just_read) gate_.weigh(rows_, state.noise, profile_, iteration > 0);
         if (ask_all) {
             turns(state);
-            state.consensus = consensus_.find(rows_, roll_from(prior.up, state.post), prior.roll_sigma);
+            state.consensus =
+                consensus_.find(rows_, roll_from(task.prior.up, state.post), task.prior.roll_sigma);
         }
-        smooth(state);
+        if (iteration <= settled) smooth(state);
 
-        information.setZero();
-        pull.setZero();
-        for (std::size_t side = 0; side < 2; ++side) {
-            if (!edges_[side]) continue;
-            const Eigen::Matrix<double, 3, 4> change = state.post.plane_change(sides[side]);
-            for (const EdgeRow& row : rows_[side]) {
-                if (!row.seen || !(row.weight > 0.0F)) continue;
-                const Eigen::Vector3d ray = row.ray.ray + (crossing(row, side) - row.ray.x) * row.ray.slope;
-                const SilhouetteStep j = -(change.transpose() * ray) / planes_[side].dot(row.ray.slope);
-                const double w =
-                    static_cast<double>(row.weight) / (1.0 / static_cast<double>(row.information) + rough);
-                information += w * j * j.transpose();
-                const double limit = 1.5 * state.blur + 1.0;
-                pull += w * std::clamp(outwards(side) * static_cast<double>(row.offset), -limit, limit) * j;
-            }
-        }
-        prior_information.setZero();
-        prior_pull.setZero();
-        using namespace silhouette_part;
-        const double lean_weight = 1.0 / (prior.lean_sigma * prior.lean_sigma);
-        prior_information(lean, lean) = lean_weight;
-        prior_pull[lean] -= lean_weight * lean_from(prior.up, state.post);
-        const double roll_weight = 1.0 / (prior.roll_sigma * prior.roll_sigma);
-        prior_information(roll, roll) = roll_weight;
-        prior_pull[roll] -= roll_weight * roll_from(prior.up, state.post);
-        if (prior.half_angle_sigma > 0.0) {
-            const double weight = 1.0 / (prior.half_angle_sigma * prior.half_angle_sigma);
-            prior_information(half_angle, half_angle) = weight;
-            prior_pull[half_angle] += weight * (prior.half_angle - state.post.half_angle);
-        }
-        const SilhouetteStep step = step_of(information + prior_information, pull + prior_pull);
-        if (!step.allFinite() || step.norm() > 0.5) return state;
-        state.post = upright(state.post.moved(step), prior);
+        equations_ = {};
+        for (std::size_t side = 0; side < 2; ++side)
+            if (edges_[side])
+                add_rows(rows_[side], planes_[side], state.post.plane_change(sides[side]), outwards(side),
+                         1.5 * state.blur + 1.0, equations_);
+        prior_ = equations_of(task.prior, state.post);
+        const SilhouetteStep pull = equations_.pull + prior_.pull;
+        const SilhouetteStep step = step_of(equations_.information + prior_.information, pull);
+        if (!step.allFinite() || step.norm() > 0.5) return false;
+        state.post = upright(state.post.moved(step), task.prior);
+        // What is left to ask for.
+        equations_.pull -= equations_.information * step;
+        prior_.pull -= prior_.information * step;
         ++state.iterations;
-        if (!(state.post.half_angle > 0.0) || state.post.half_angle > 1.2) return state;
+        if (!is_post(state.post)) return false;
 
-        if (blur_open) fit_blur(state, blur);
-        const double moved = camera.fx * step.cwiseAbs().maxCoeff();
-        const bool left_windows = moved > 1.0 || 3.0 * state.blur > reading.outer;
+        if (blur_open) fit_blur(state);
+        const double moved = task.camera.fx * step.cwiseAbs().maxCoeff();
+        const bool left_windows = moved > 1.0 || 3.0 * state.blur > layout.outer;
         if (left_windows && readings < most_readings) {
             read_anew = true;
             continue;
         }
+        using namespace silhouette_part;
         constexpr double still = 0.004;  // px
-        const double shift = camera.fx * std::max({std::abs(step[swing]), std::abs(step[half_angle]),
-                                                   std::abs(step[roll]) * 0.3});
+        const double shift = task.camera.fx * std::max({std::abs(step[swing]), std::abs(step[half_angle]),
+                                                        std::abs(step[roll]) * 0.3});
         // What is still to gain, in units of the whole misfit: a fifth of a sigma.
         constexpr double little = 0.05;
-        if (iteration >= 3 && (shift < still || (pull + prior_pull).dot(step) < little)) {
+        if (iteration >= 3 && (shift < still || pull.dot(step) < little)) {
             state.converged = true;
             break;
         }
     }
+    return true;
+}
+
+void SilhouetteFitter::set_covariance(const SilhouettePrior& prior, SilhouetteFit& state) const {
     state.scatter = row_scatter(rows_);
     if (!state.scatter.enough) {
         state.converged = false;
-        return state;
+        return;
     }
     const double scale = 1.0 / (std::max(state.scatter.variance, 0.5) * state.scatter.correlation);
-    state.covariance = (scale * information + prior_information).ldlt().solve(Information::Identity());
+    state.covariance =
+        (scale * equations_.information + prior_.information).ldlt().solve(Eigen::Matrix4d::Identity());
     // Rows that go together say less against what is known before than each on its own.
-    const SilhouetteStep step = state.covariance * (scale * pull + prior_pull);
+    const SilhouetteStep step = state.covariance * (scale * equations_.pull + prior_.pull);
     if (step.allFinite() && step.norm() < 0.5) state.post = upright(state.post.moved(step), prior);
-    if (!(state.post.half_angle > 0.0) || state.post.half_angle > 1.2) {
+    if (!is_post(state.post)) {
         state.converged = false;
         state.covariance.setZero();
     }
+}
+
+SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, const PostColour& colour,
+                                    const PostSilhouette& start, const SilhouettePrior& prior,
+                                    const RowLayout& layout, const std::array<bool, 2>& edges,
+                                    double least_contrast) {
+    SilhouetteFit state;
+    state.post = start;
+    state.blur = 0.9;
+    edges_ = edges;
+    const Task task{image, camera, colour, prior, least_contrast};
+    if (settle(task, layout, state)) set_covariance(prior, state);
     return state;
 }
 

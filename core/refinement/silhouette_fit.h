@@ -1,11 +1,13 @@
 #pragma once
 
 #include "core/refinement/edge_consensus.h"
+#include "core/refinement/edge_row_reader.h"
 #include "core/refinement/edge_rows.h"
 #include "core/refinement/post_silhouette.h"
 #include "core/refinement/row_gate.h"
 #include "core/refinement/row_measurement.h"
 #include "core/refinement/row_scatter.h"
+#include "core/refinement/step_equations.h"
 #include "core/refinement/step_profile.h"
 
 #include <array>
@@ -38,7 +40,7 @@ struct SilhouetteFit {
 
 /// Fits the two planes of a silhouette to rows of pixels.
 ///
-/// Gauss–Newton on the four parts of a SilhouetteStep: measure_row() gives for each row of each edge an
+/// Gauss–Newton on the four parts of a SilhouetteStep: measure_rows() gives for each row of each edge an
 /// offset t and its information I, all pixel-level unknowns eliminated, so that
 ///     H = Σ ω I J Jᵀ + P,  J = d(crossing) / d(step) = −(ray·dn/dstep) / (n·ray'),
 /// is the information of the full fit over all pixels. The prior P holds lean and roll to the measured
@@ -55,30 +57,42 @@ class SilhouetteFitter {
                       const PostSilhouette& start, const SilhouettePrior& prior, const RowLayout& layout,
                       const std::array<bool, 2>& edges, double least_contrast);
 
-    const std::array<std::vector<EdgeRow>, 2>& rows() const { return rows_; }
-
   private:
-    using Information = Eigen::Matrix4d;
-
-    void measure(const SilhouetteFit& state, BlurEvidence* blur);
+    struct Task {
+        YuyvView image;
+        const Intrinsics& camera;
+        const PostColour& colour;
+        const SilhouettePrior& prior;
+        double least_contrast;
+    };
+    /// Until rows ask for no more; false where there is no such silhouette.
+    bool settle(const Task& task, RowLayout layout, SilhouetteFit& state);
+    void read(const Task& task, RowLayout& layout, const SilhouetteFit& state);
+    /// Where each row's edge is supposed to be, and measures it there.
+    void measure(const SilhouetteFit& state, bool blur);
     void smooth(const SilhouetteFit& state);
     /// Measures rows whose edge lies apart from the common one where it lies.
-    void measure_apart(const SilhouetteFit& state);
-    /// What a roll does to the rows' edges (EdgeRow::turn).
+    void measure_apart(const SilhouetteFit& state, std::size_t side);
+    /// What a roll does to the rows' edges (EdgeRows::turn).
     void turns(const SilhouetteFit& state);
-    static void fit_blur(SilhouetteFit& state, BlurEvidence& evidence);
-    /// px from an edge in a row to the other one, where that is near enough to matter; else 0.
-    double other_edge(const SilhouetteFit& state, std::size_t side, std::size_t row, double here) const;
-    double crossing(const EdgeRow& row, std::size_t side) const { return row.ray.crossing(planes_[side]); }
+    void fit_blur(SilhouetteFit& state) const;
+    void set_covariance(const SilhouettePrior& prior, SilhouetteFit& state) const;
 
     std::array<bool, 2> edges_{};
-    std::array<std::vector<EdgeRow>, 2> rows_;
+    std::array<EdgeRows, 2> rows_;
     std::array<Eigen::Vector3d, 2> planes_;
+    std::array<SupposedEdges, 2> supposed_;
+    std::array<BlurRows, 2> blur_;
     EdgeRowReader reader_;
     StepProfile profile_;
-    LevelSmoother smoother_;
     RowGate gate_;
     EdgeConsensus consensus_;
+    StepEquations equations_, prior_;  // of the last step
+    // Of measure_apart:
+    SupposedEdges apart_edges_;
+    RowMeasurements apart_rows_;
+    RowColumn<float> shift_;
+    std::vector<bool> apart_blocks_;
 };
 
 }  // namespace goalmouth

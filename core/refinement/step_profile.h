@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -21,7 +22,10 @@ namespace goalmouth {
 ///
 /// The two differ by up to a hundredth, which moves an upright edge by as many px, the same in all rows. So
 /// the profile is E = E_o + share·(E_d − E_o), and the share is for the picture to say.
-/// Kept as a table, read between its places.
+///
+/// Kept as some thirty polynomials: cubics that have E and its slope at both their ends, within 2e-4 of it.
+/// (E_d has bends at whole px, where pieces end; with the widest blurs, of which pieces are longer, it has
+/// none to speak of.)
 class StepProfile {
   public:
     struct Value {
@@ -31,30 +35,43 @@ class StepProfile {
         float digital;  // E_d − E_o
     };
 
+    /// x [px] from its start on.
+    struct Piece {
+        std::array<float, 4> step{};     // E, by powers of x
+        std::array<float, 2> blur{};     // dE/dσ
+        std::array<float, 2> digital{};  // E_d − E_o
+    };
+    static constexpr std::size_t most_pieces = 32;
+
     /// σ [px] > 0, along the row; digital share 0…1.
     void set_blur(double sigma, double digital_share);
     /// Beyond this many px from the edge E is 0 or 1.
     float reach() const { return reach_; }
 
+    /// The piece that x [px] lies in is number ⌊(x + reach())·per_px()⌋ + 1; what lies beyond both ends has
+    /// the first and the last.
+    const std::array<Piece, most_pieces>& pieces() const { return pieces_; }
+    std::size_t count() const { return count_; }
+    float per_px() const { return per_px_; }
+
     Value at(float x) const {
-        const float place = (x + reach_) * scale_;
-        if (!(place > 0.0F)) return {0.0F, 0.0F, 0.0F, 0.0F};
+        const float place =
+            std::clamp((x + reach_) * per_px_ + 1.0F, 0.0F, static_cast<float>(count_) - 0.5F);
         const auto i = static_cast<std::size_t>(place);
-        if (i >= places - 1) return {1.0F, 0.0F, 0.0F, 0.0F};
-        const float share = place - static_cast<float>(i);
-        const Value& a = table_[i];
-        const Value& b = table_[i + 1];
-        return {a.step + share * (b.step - a.step), a.slope + share * (b.slope - a.slope),
-                a.blur + share * (b.blur - a.blur), a.digital + share * (b.digital - a.digital)};
+        const float way = (place - static_cast<float>(i)) / per_px_;
+        const Piece& p = pieces_[i];
+        return {p.step[0] + way * (p.step[1] + way * (p.step[2] + way * p.step[3])),
+                p.step[1] + way * (2.0F * p.step[2] + way * (3.0F * p.step[3])), p.blur[0] + way * p.blur[1],
+                p.digital[0] + way * p.digital[1]};
     }
 
   private:
-    static constexpr std::size_t places = 160;
     double sigma_ = 0.0;
     double digital_ = 0.0;
     float reach_ = 0.0F;
-    float scale_ = 0.0F;
-    std::array<Value, places> table_{};
+    float per_px_ = 1.0F;
+    std::size_t count_ = 1;
+    std::array<Piece, most_pieces> pieces_{};
 };
 
 }  // namespace goalmouth

@@ -50,6 +50,21 @@ TEST(Camera, UndistortsWhatItDistorts) {
             }
 }
 
+TEST(Camera, KnowsHowPixelsMoveWithTheirRays) {
+    for (const Intrinsics& camera : {Intrinsics{}, with_distortion()}) {
+        for (const Eigen::Vector2d& n : {Eigen::Vector2d(0.0, 0.0), {0.5, -0.3}, {-0.2, 0.4}}) {
+            const Eigen::Matrix2d change = pixel_change(camera, n);
+            constexpr double step = 1e-5;
+            for (int i = 0; i < 2; ++i) {
+                const Eigen::Vector2d off = step * Eigen::Vector2d::Unit(i);
+                const Eigen::Vector2d moved =
+                    pixel_from_normalised(camera, n + off) - pixel_from_normalised(camera, n - off);
+                EXPECT_LT((change.col(i) - moved / (2.0 * step)).norm(), 1e-5);
+            }
+        }
+    }
+}
+
 TEST(Camera, BarrelDistortionPullsTheCornersIn) {
     Intrinsics camera;
     camera.distortion = {-0.1, 0, 0, 0, 0};

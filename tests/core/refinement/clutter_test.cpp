@@ -89,44 +89,47 @@ TEST(Clutter, RowsBeforeSeveralBackgroundsOutweighMoreRowsBehindOneOccluder) {
     expect_measured(refine(scene, scene.draw()), scene, 0.03);
 }
 
-EdgeRow row_at(double offset, float background) {
-    EdgeRow row;
-    row.seen = true;
-    row.information = 100.0F;
-    row.offset = static_cast<float>(offset);
-    row.background = {background, 0.0F, 0.0F};
-    return row;
+struct PlainRow {
+    double offset;
+    float background;
+};
+
+/// Rows as of an upright post, measured.
+EdgeRows rows_of(const std::vector<PlainRow>& plain, double side) {
+    EdgeRows rows;
+    rows.assign(plain.size());
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        rows.pairs[i] = 8.0F;
+        rows.measured.information[i] = 100.0F;
+        rows.measured.offset[i] = static_cast<float>(plain[i].offset);
+        rows.background[0][i] = plain[i].background;
+        rows.clean[i] = 1.0F;
+        rows.turn[i] =
+            static_cast<float>(side * (static_cast<double>(i) - 0.5 * static_cast<double>(plain.size())));
+    }
+    return rows;
 }
 
-/// Rows with their turn, as of an upright post.
-void place(std::vector<EdgeRow>& rows, double side) {
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        rows[i].turn =
-            static_cast<float>(side * (static_cast<double>(i) - 0.5 * static_cast<double>(rows.size())));
-}
+using PlainRows = std::vector<PlainRow>;
 
 TEST(EdgeConsensus, ThreeRunsThatAgreeOutweighALongerOne) {
-    std::array<std::vector<EdgeRow>, 2> rows;
-    for (int i = 0; i < 60; ++i) rows[0].push_back(row_at(-0.8, 0.0F));
-    for (int i = 0; i < 36; ++i) rows[0].push_back(row_at(0.02, i < 12 ? 60.0F : i < 24 ? 120.0F : 180.0F));
-    for (int i = 0; i < 96; ++i) rows[1].push_back(row_at(0.0, 0.0F));
-    place(rows[0], -1.0);
-    place(rows[1], 1.0);
+    PlainRows left(60, {-0.8, 0.0F});
+    for (int i = 0; i < 36; ++i) left.push_back({0.02, i < 12 ? 60.0F : i < 24 ? 120.0F : 180.0F});
+    std::array<EdgeRows, 2> rows = {rows_of(left, -1.0), rows_of(PlainRows(96, {0.0, 0.0F}), 1.0)};
     EdgeConsensus consensus;
     const EdgeConsensus::Result result = consensus.find(rows, 0.0, 0.02);
     EXPECT_TRUE(result.disagree);
     EXPECT_GT(result.evidence[0], result.rival[0] + 3.0);
-    for (std::size_t i = 0; i < 96; ++i) EXPECT_EQ(rows[0][i].outvoted, i < 60) << i;
-    EXPECT_TRUE(std::none_of(rows[1].begin(), rows[1].end(), [](const EdgeRow& r) { return r.outvoted; }));
+    for (std::size_t i = 0; i < 96; ++i) {
+        EXPECT_EQ(rows[0].outvoted[i], i < 60 ? 1.0F : 0.0F) << i;
+        EXPECT_EQ(rows[1].outvoted[i], 0.0F) << i;
+    }
 }
 
 TEST(EdgeConsensus, TwoRunsThatDisagreeLeaveItOpen) {
-    std::array<std::vector<EdgeRow>, 2> rows;
-    for (int i = 0; i < 48; ++i) rows[0].push_back(row_at(0.0, 0.0F));
-    for (int i = 0; i < 48; ++i) rows[0].push_back(row_at(0.9, 90.0F));
-    for (int i = 0; i < 96; ++i) rows[1].push_back(row_at(0.0, 0.0F));
-    place(rows[0], -1.0);
-    place(rows[1], 1.0);
+    PlainRows left(48, {0.0, 0.0F});
+    left.resize(96, {0.9, 90.0F});
+    std::array<EdgeRows, 2> rows = {rows_of(left, -1.0), rows_of(PlainRows(96, {0.0, 0.0F}), 1.0)};
     EdgeConsensus consensus;
     const EdgeConsensus::Result result = consensus.find(rows, 0.0, 0.02);
     EXPECT_TRUE(result.disagree);
@@ -134,38 +137,35 @@ TEST(EdgeConsensus, TwoRunsThatDisagreeLeaveItOpen) {
 }
 
 TEST(EdgeConsensus, RowsThatAgreeAreLeftAlone) {
-    std::array<std::vector<EdgeRow>, 2> rows;
-    for (auto& side : rows)
-        for (int i = 0; i < 96; ++i) side.push_back(row_at(0.05 * std::sin(1.7 * i), i < 40 ? 0.0F : 80.0F));
-    place(rows[0], -1.0);
-    place(rows[1], 1.0);
+    PlainRows plain;
+    for (int i = 0; i < 96; ++i) plain.push_back({0.05 * std::sin(1.7 * i), i < 40 ? 0.0F : 80.0F});
+    std::array<EdgeRows, 2> rows = {rows_of(plain, -1.0), rows_of(plain, 1.0)};
     EdgeConsensus consensus;
     EXPECT_FALSE(consensus.find(rows, 0.0, 0.02).disagree);
-    for (const auto& side : rows)
-        for (const EdgeRow& row : side) EXPECT_FALSE(row.outvoted);
+    for (const EdgeRows& side : rows)
+        for (std::size_t i = 0; i < side.count; ++i) EXPECT_EQ(side.outvoted[i], 0.0F);
 }
 
 TEST(RowGate, MisfitOfBothEdgesIsTheCamerasOfOneTheBackgrounds) {
     StepProfile profile;
     profile.set_blur(0.9, 0.5);
     for (const bool both : {true, false}) {
-        std::array<std::vector<EdgeRow>, 2> rows;
+        std::array<EdgeRows, 2> rows;
         for (std::size_t side = 0; side < 2; ++side) {
-            for (int i = 0; i < 90; ++i) {
-                EdgeRow row = row_at(0.0, 0.0F);
-                row.freedom = 4.0F;
-                row.misfit = both || side == 0 ? 12.0F : 0.6F;
-                rows[side].push_back(row);
+            rows[side] = rows_of(PlainRows(90, {0.0, 0.0F}), 0.0);
+            for (std::size_t i = 0; i < 90; ++i) {
+                rows[side].measured.freedom[i] = 4.0F;
+                rows[side].measured.misfit[i] = both || side == 0 ? 12.0F : 0.6F;
             }
         }
         std::array<double, 2> noise = {1.0, 1.0};
         RowGate gate;
         gate.weigh(rows, noise, profile, true);
         if (both)
-            EXPECT_GT(rows[0][45].weight, 0.9F);
+            EXPECT_GT(rows[0].weight[45], 0.9F);
         else
-            EXPECT_EQ(rows[0][45].weight, 0.0F);
-        EXPECT_GT(rows[1][45].weight, 0.9F);
+            EXPECT_EQ(rows[0].weight[45], 0.0F);
+        EXPECT_GT(rows[1].weight[45], 0.9F);
     }
 }
 

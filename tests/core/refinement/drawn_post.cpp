@@ -161,4 +161,13 @@ Post DrawnPost::found(double left_moved, double right_moved) const {
     return result;
 }
 
+DrawnPost small_scene() {
+    DrawnPost scene;
+    scene.camera.width = 160;
+    scene.camera.height = 240;
+    scene.camera.cx = 79.5;
+    scene.camera.cy = 119.5;
+    return scene;
+}
+
 }  // namespace goalmouth::test

@@ -45,4 +45,7 @@ struct DrawnPost {
     CameraPose pose(double sigma = 0.01) const;
 };
 
+/// A small picture where the post lies, to draw quickly.
+DrawnPost small_scene();
+
 }  // namespace goalmouth::test

@@ -14,16 +14,6 @@ namespace {
 const Levels grey{150, 150, 155};
 const Levels green{52, 122, 62};
 
-/// A small picture where the post lies, to draw quickly.
-DrawnPost small_scene() {
-    DrawnPost scene;
-    scene.camera.width = 160;
-    scene.camera.height = 240;
-    scene.camera.cx = 79.5;
-    scene.camera.cy = 119.5;
-    return scene;
-}
-
 RefinedPost refine(const DrawnPost& scene, const Post& found, bool with_pose = true) {
     PostRefiner refiner({}, {});
     const YuyvImage image = scene.draw();
@@ -182,7 +172,12 @@ TEST(PostRefiner, RowsWithoutContrastSayNothing) {
     DrawnPost scene = small_scene();
     const Levels yellow = scene.post;
     scene.behind = [yellow](double x, double y) { return x < 80.0 && y > 60.0 && y < 110.0 ? yellow : grey; };
-    const RefinedPost refined = refine(scene, scene.found());
+    RefinementParameters parameters;
+    parameters.most_rows = 250;  // none averaged: rows are those of the picture
+    PostRefiner refiner(parameters, {});
+    const YuyvImage image = scene.draw();
+    const RefinedPost refined =
+        refiner.refine(image.view(), {scene.found()}, scene.camera, scene.pose()).front();
     expect_measured(refined, scene, 0.015);
     EXPECT_LT(refined.left->rows, refined.right->rows - 30);
 }

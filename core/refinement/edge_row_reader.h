@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/geometry/camera.h"
+#include "core/imaging/yuyv.h"
+#include "core/refinement/crossing_curve.h"
+#include "core/refinement/edge_rows.h"
+#include "core/refinement/post_colour.h"
+#include "core/refinement/post_silhouette.h"
+#include "core/refinement/row_pixels.h"
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace goalmouth {
+
+/// Reads the rows about both edges of a post.
+///
+/// The background's colour is looked up on each side in the neighbouring rows as well, so that the weights w
+/// = M·e hardly depend on a single row's noise; e: background less post. M is that of the mean of the post's
+/// noise and the background's on this side, which is what an edge's pixels have, texture included. A pair of
+/// pixels of colour z becomes w·(z − post) / √(eᵀMe): 0 with post, √(eᵀMe) with background, noise about 1.
+/// What is square both to w and to the shade direction, in the noise's metric, says whether there is only
+/// post and background: every mixture of the two has 0 there, and a third thing's colour has not.
+class EdgeRowReader {
+  public:
+    void read(YuyvView image, const Intrinsics& camera, const PostSilhouette& post, const PostColour& colour,
+              const RowLayout& layout, double blur, double least_contrast, std::array<EdgeRows, 2>& rows);
+
+  private:
+    /// Where the edge of each row is (EdgeRows::column and the ray there).
+    void place(const Intrinsics& camera, const Eigen::Vector3d& plane, const RowLayout& layout, double x_near,
+               EdgeRows& rows);
+    void read_side(YuyvView image, const PostColour& colour, const RowLayout& layout, double blur,
+                   std::size_t side, std::array<EdgeRows, 2>& rows);
+    Eigen::Matrix3f background_noise(std::size_t side, const EdgeRows& rows, const Eigen::Matrix3f& like);
+
+    struct Difference {
+        Eigen::Vector3f colour;
+        float size;
+    };
+    /// Pairs of a row that lie well outside the edge, numbered from the picture's first.
+    struct Outside {
+        int window_first = 0, first = 0, last = -1;
+    };
+    CrossingCurve curve_;
+    RawPairs raw_;
+    RowColumn<float> start_;
+    std::array<BackgroundSums, 2> sums_;
+    std::array<std::array<RowColumn<float>, 3>, 2> backgrounds_;
+    std::array<std::vector<Outside>, 2> outside_;
+    RowWeights weights_;
+    std::vector<Difference> differences_;
+    std::vector<float> sizes_;
+};
+
+}  // namespace goalmouth
