@@ -17,7 +17,8 @@ struct ImagesOptions {
     std::filesystem::path annotations;  // "": annotations.json in the folder
     std::vector<std::string> sets;      // empty: every one
     std::vector<std::string> detectors{"ransac", "refined", "tuned", "histogram"};  // graphs
-    std::filesystem::path colours;  // "": tables are learnt from the other folds of the same set
+    std::filesystem::path colours;  // "": tables are learnt from the other folds of the same set …
+    bool without_labels = false;    // … and whether without looking at their annotations
     int folds = 4;
     std::map<std::string, std::filesystem::path> cameras;  // by set; "" for all others
     std::map<std::string, std::filesystem::path> fields;   // likewise
