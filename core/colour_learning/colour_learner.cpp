@@ -101,30 +101,44 @@ std::vector<cv::Mat> labels_of(std::vector<LabelledScene>& scenes, const SceneCo
     return labels;
 }
 
+/// A picture as it was taken, whose labels are those of the shrunk one: what a table will see has more noise
+/// than means of it.
+struct Lesson {
+    YuyvView picture;
+    cv::Mat labels;
+
+    template <class Visit>
+    void each(Visit visit) const {
+        const int factor = shrink_factor(picture, widest);
+        for (int y = 0; y < labels.rows * factor; ++y) {
+            const std::uint8_t* row = labels.ptr<std::uint8_t>(y / factor);
+            for (int x = 0; x < labels.cols * factor; ++x)
+                if (const std::uint8_t label = row[x / factor]; label < colour_count) visit(picture.at(x, y), label);
+        }
+    }
+};
+
+std::vector<Lesson> lessons_of(std::span<const YuyvImage> pictures, std::span<const cv::Mat> labels) {
+    std::vector<Lesson> lessons;
+    for (std::size_t i = 0; i < pictures.size(); ++i) lessons.push_back({pictures[i].view(), labels[i]});
+    return lessons;
+}
+
 /// Trained on the pictures of one parity, or all of them.
-ColourTrainer trained(std::span<const LabelledScene> scenes, std::span<const cv::Mat> labels,
-                      std::optional<std::size_t> parity = std::nullopt) {
+ColourTrainer trained(std::span<const Lesson> lessons, std::optional<std::size_t> parity = std::nullopt) {
     ColourTrainer trainer;
-    for (std::size_t i = 0; i < scenes.size(); ++i)
-        if (!parity || i % 2 == *parity) trainer.add(scenes[i].image.view(), labels[i]);
+    for (std::size_t i = 0; i < lessons.size(); ++i)
+        if (!parity || i % 2 == *parity)
+            lessons[i].each([&](Ycbcr p, std::uint8_t label) { trainer.add(p, static_cast<Colour>(label)); });
     return trainer;
 }
 
-template <class Visit>
-void each_labelled(const LabelledScene& scene, const cv::Mat& labels, Visit visit) {
-    for (int y = 0; y < labels.rows; ++y)
-        for (int x = 0; x < labels.cols; ++x)
-            if (const std::uint8_t label = labels.at<std::uint8_t>(y, x); label < colour_count)
-                visit(scene.image.view().at(x, y), label);
-}
-
-std::array<LearntClass, colour_count> classes_of(std::span<const LabelledScene> scenes,
-                                                 std::span<const cv::Mat> labels) {
+std::array<LearntClass, colour_count> classes_of(std::span<const Lesson> lessons) {
     std::array<LearntClass, colour_count> classes;
     std::array<std::array<double, 3>, colour_count> sums{};
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
+    for (const Lesson& lesson : lessons) {
         std::array<bool, colour_count> seen{};
-        each_labelled(scenes[i], labels[i], [&](Ycbcr p, std::uint8_t label) {
+        lesson.each([&](Ycbcr p, std::uint8_t label) {
             seen[label] = true;
             classes[label].samples += 1.0;
             sums[label][0] += p.y;
@@ -143,19 +157,18 @@ std::array<LearntClass, colour_count> classes_of(std::span<const LabelledScene> 
 }
 
 /// Trains on each half, tries on the other.
-void cross_check(std::span<const LabelledScene> scenes, std::span<const cv::Mat> labels,
-                 std::array<LearntClass, colour_count>& classes) {
+void cross_check(std::span<const Lesson> lessons, std::array<LearntClass, colour_count>& classes) {
     std::array<double, colour_count> taken{}, called{}, both{};
     std::array<bool, colour_count> in_both_halves{};
     in_both_halves.fill(true);
     for (const std::size_t parity : {std::size_t{0}, std::size_t{1}}) {
-        const ColourTrainer trainer = trained(scenes, labels, parity);
+        const ColourTrainer trainer = trained(lessons, parity);
         for (std::size_t c = 0; c < colour_count; ++c)
             in_both_halves[c] = in_both_halves[c] && trainer.samples()[c] > 0.0;
         if (!trainer.has_class()) return;
         const ColourTable table = trainer.table(6, "");
-        for (std::size_t i = 1 - parity; i < scenes.size(); i += 2) {
-            each_labelled(scenes[i], labels[i], [&](Ycbcr p, std::uint8_t label) {
+        for (std::size_t i = 1 - parity; i < lessons.size(); i += 2) {
+            lessons[i].each([&](Ycbcr p, std::uint8_t label) {
                 const auto answer = static_cast<std::size_t>(table.at(p));
                 taken[label] += 1.0;
                 called[answer] += 1.0;
@@ -181,7 +194,7 @@ LearntColours learn_without_labels(std::span<const YuyvImage> pictures, GoalPain
                                    const std::string& name) {
     if (pictures.empty()) throw NothingToLearn("there is no picture to learn from");
     std::vector<YuyvImage> images;
-    for (const YuyvImage& picture : pictures) images.push_back(shrunk_to(picture.view(), widest));
+    for (const YuyvImage& picture : pictures) images.push_back(shrunk(picture.view(), shrink_factor(picture.view(), widest)));
     const std::string of_these = "none of the " + std::to_string(images.size()) + " pictures shows ";
 
     const auto field = find_field_colour(images);
@@ -204,7 +217,7 @@ LearntColours learn_without_labels(std::span<const YuyvImage> pictures, GoalPain
     SceneColours colours = colours_of(scenes, images, *field, line);
     std::vector<cv::Mat> labels = labels_of(scenes, colours);
     for (int round = 0; round < rounds; ++round) {
-        auto posts = standing_posts(images, trained(scenes, labels).table(6, name));
+        auto posts = standing_posts(images, trained(lessons_of(pictures, labels)).table(6, name));
         for (std::size_t i = 0; i < posts.size(); ++i)
             std::erase_if(posts[i], [&](const PostOutline& post) { return !same_colour(images[i].view(), post, colours); });
         if (std::all_of(posts.begin(), posts.end(), [](const auto& p) { return p.empty(); })) break;
@@ -214,9 +227,10 @@ LearntColours learn_without_labels(std::span<const YuyvImage> pictures, GoalPain
     }
 
     LearntColours learnt;
-    learnt.table = trained(scenes, labels).table(bits, name);
-    learnt.classes = classes_of(scenes, labels);
-    cross_check(scenes, labels, learnt.classes);
+    const std::vector<Lesson> lessons = lessons_of(pictures, labels);
+    learnt.table = trained(lessons).table(bits, name);
+    learnt.classes = classes_of(lessons);
+    cross_check(lessons, learnt.classes);
     learnt.goal = *goal;
     for (std::size_t i = 0; i < scenes.size(); ++i)
         learnt.pictures.push_back({std::move(scenes[i]), std::move(labels[i])});

@@ -16,10 +16,18 @@ std::uint8_t mean(const std::uint8_t* from, int stride, int side, int step) {
     return static_cast<std::uint8_t>((sum + all / 2) / all);
 }
 
+int largest_factor(YuyvView image) {
+    return std::max(1, std::min(image.width / 2, image.height));
+}
+
 }  // namespace
 
+int shrink_factor(YuyvView image, int widest) {
+    return std::clamp((image.width + widest - 1) / widest, 1, largest_factor(image));
+}
+
 YuyvImage shrunk(YuyvView image, int factor) {
-    factor = std::clamp(factor, 1, std::max(1, std::min(image.width / 2, image.height)));
+    factor = std::clamp(factor, 1, largest_factor(image));
     if (factor == 1) {
         YuyvImage copy(image.width, image.height);
         for (int y = 0; y < image.height; ++y)
@@ -38,10 +46,6 @@ YuyvImage shrunk(YuyvView image, int factor) {
         }
     }
     return out;
-}
-
-YuyvImage shrunk_to(YuyvView image, int widest) {
-    return shrunk(image, std::max(1, (image.width + widest - 1) / widest));
 }
 
 }  // namespace goalmouth
