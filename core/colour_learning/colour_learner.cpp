@@ -16,6 +16,7 @@ namespace {
 constexpr int widest = 640;             // px; posts 6 m away still are 9 px wide
 constexpr int rounds = 2;               // of labelling and finding posts anew
 constexpr double same_inside = 0.7;     // share of a post's pixels in the goal's colour
+constexpr double least_ball_confidence = 0.5;  // below, more of what is called ball is none than is
 constexpr double darkest_share = 0.02;  // quantile of the posts' luma …
 constexpr double darker_still = 0.8;    // … and how far below it the goal's shade may go
 
@@ -92,13 +93,30 @@ SceneColours colours_of(std::span<const LabelledScene> scenes, std::span<const Y
     return colours;
 }
 
+/// RANSAC's outlines are less exact than a person's: what in them has another chroma than most is not the post's.
+void keep_goal_colour(cv::Mat& labels, YuyvView image, const ChromaRegion& goal) {
+    for (int y = 0; y < labels.rows; ++y) {
+        std::uint8_t* row = labels.ptr<std::uint8_t>(y);
+        for (int x = 0; x < labels.cols; ++x)
+            if (row[x] == static_cast<std::uint8_t>(Colour::goal) && !goal.holds(image.at(x, y)))
+                row[x] = ColourTrainer::no_label;
+    }
+}
+
 std::vector<cv::Mat> labels_of(std::vector<LabelledScene>& scenes, const SceneColours& colours) {
     std::vector<cv::Mat> labels;
     for (LabelledScene& scene : scenes) {
         scene.ignore = doubtful(scene, colours);
         labels.push_back(label_scene(scene, colours));
+        keep_goal_colour(labels.back(), scene.image.view(), colours.goal);
     }
     return labels;
+}
+
+/// Takes a class out of what the pictures teach.
+void forget(Colour colour, std::span<cv::Mat> labels) {
+    for (cv::Mat& of_picture : labels)
+        of_picture.setTo(ColourTrainer::no_label, of_picture == static_cast<int>(colour));
 }
 
 /// A picture as it was taken, whose labels are those of the shrunk one: what a table will see has more noise
@@ -157,7 +175,8 @@ std::array<LearntClass, colour_count> classes_of(std::span<const Lesson> lessons
 }
 
 /// Trains on each half, tries on the other.
-void cross_check(std::span<const Lesson> lessons, std::array<LearntClass, colour_count>& classes) {
+std::array<LearntClass, colour_count> checked_classes(std::span<const Lesson> lessons) {
+    std::array<LearntClass, colour_count> classes = classes_of(lessons);
     std::array<double, colour_count> taken{}, called{}, both{};
     std::array<bool, colour_count> in_both_halves{};
     in_both_halves.fill(true);
@@ -165,7 +184,7 @@ void cross_check(std::span<const Lesson> lessons, std::array<LearntClass, colour
         const ColourTrainer trainer = trained(lessons, parity);
         for (std::size_t c = 0; c < colour_count; ++c)
             in_both_halves[c] = in_both_halves[c] && trainer.samples()[c] > 0.0;
-        if (!trainer.has_class()) return;
+        if (!trainer.has_class()) return classes;
         const ColourTable table = trainer.table(6, "");
         for (std::size_t i = 1 - parity; i < lessons.size(); i += 2) {
             lessons[i].each([&](Ycbcr p, std::uint8_t label) {
@@ -181,6 +200,7 @@ void cross_check(std::span<const Lesson> lessons, std::array<LearntClass, colour
         classes[c].recall = both[c] / std::max(taken[c], 1.0);
         classes[c].precision = both[c] / std::max(called[c], 1.0);
     }
+    return classes;
 }
 
 }  // namespace
@@ -227,10 +247,15 @@ LearntColours learn_without_labels(std::span<const YuyvImage> pictures, GoalPain
     }
 
     LearntColours learnt;
+    // Labels are shared with the lessons, so what is forgotten is gone from both.
     const std::vector<Lesson> lessons = lessons_of(pictures, labels);
+    learnt.classes = checked_classes(lessons);
+    const LearntClass& ball = learnt.classes[static_cast<std::size_t>(Colour::ball)];
+    if (ball.recall && ball.confidence() < least_ball_confidence) {
+        forget(Colour::ball, labels);
+        learnt.classes = checked_classes(lessons);
+    }
     learnt.table = trained(lessons).table(bits, name);
-    learnt.classes = classes_of(lessons);
-    cross_check(lessons, learnt.classes);
     learnt.goal = *goal;
     for (std::size_t i = 0; i < scenes.size(); ++i)
         learnt.pictures.push_back({std::move(scenes[i]), std::move(labels[i])});

@@ -59,6 +59,8 @@ struct LearntColours {
 ///   4. That table finds more posts, of which those with the same colour inside take the place of the first;
 ///      once more from 3.
 ///
+/// A ball's colour about which the pictures do not agree (confidence below ½) is left out.
+///
 /// With white goals the lines' colour is the goal's class wherever they cannot be told apart.
 ///
 /// The result depends on the pictures and their order alone. Throws NothingToLearn where there is no picture,
