@@ -235,6 +235,26 @@ std::vector<DistanceGroup> ImageSetResult::distances(const std::vector<std::stri
     return all;
 }
 
+std::vector<std::string> sets_of(const ImagesOptions& options) {
+    return chosen_sets(options, read_annotations(options));
+}
+
+std::size_t pictures_of(const ImagesOptions& options) {
+    const Annotations annotations = read_annotations(options);
+    std::size_t count = 0;
+    for (const std::string& set : chosen_sets(options, annotations))
+        count += annotations.usable_pictures(set).size();
+    return count;
+}
+
+ColourTable table_of_set(const ImagesOptions& options, const std::string& set) {
+    const Annotations annotations = read_annotations(options);
+    std::vector<LabelledScene> scenes;
+    for (const AnnotatedImage& image : annotations.usable_pictures(set))
+        scenes.push_back(read_scene(image, annotations));
+    return learnt_table(scenes, set, set, options, field_of(options, set));
+}
+
 std::vector<ImageSetResult> evaluate_images(const ImagesOptions& options, const ImagesProgress& progress) {
     const Annotations annotations = read_annotations(options);
     const std::vector<std::string> sets = chosen_sets(options, annotations);

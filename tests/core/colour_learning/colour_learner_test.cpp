@@ -73,7 +73,7 @@ TEST_P(Lights, EveryColourIsLearntFromTenPictures) {
 INSTANTIATE_TEST_SUITE_P(ColourLearner, Lights,
                          testing::Values(Case{"day", {}}, Case{"warm", {1.1, 0.95, 0.6}},
                                          Case{"cold", {0.85, 1.0, 1.2}}, Case{"dark", {0.4, 0.4, 0.4}}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& one) { return one.param.name; });
 
 TEST(ColourLearner, WhiteGoalsAreTheClassGoal) {
     DrawnPitch pitch;
