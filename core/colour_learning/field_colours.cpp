@@ -25,6 +25,11 @@ constexpr double ball_surroundings = 0.6;   // of the ring around it that is car
 constexpr double same_colour = 0.5;         // of a blob's pixels
 constexpr int fewest_ball_pictures = 2;
 
+bool is_green(Ycbcr p) {
+    const ChromaPolar polar = chroma_polar(p);
+    return polar.hue >= greenish_from && polar.hue <= greenish_to && polar.chroma >= neutral_chroma;
+}
+
 /// Well inside the pitch, and the carpet there.
 struct Ground {
     cv::Mat like_field;
@@ -84,7 +89,7 @@ bool compact(const Blobs& blobs, int i) {
 }  // namespace
 
 std::optional<ChromaRegion> find_field_colour(std::span<const YuyvImage> pictures) {
-    ChromaHistogram histogram;
+    ChromaHistogram histogram, all;
     double most = 0.0;
     for (const YuyvImage& picture : pictures) {
         const YuyvView image = picture.view();
@@ -94,9 +99,8 @@ std::optional<ChromaRegion> find_field_colour(std::span<const YuyvImage> picture
         for (int y = image.height / 2; y < image.height; ++y) {
             for (int x = 0; x < image.width; ++x) {
                 const Ycbcr p = image.at(x, y);
-                const ChromaPolar polar = chroma_polar(p);
-                if (polar.hue < greenish_from || polar.hue > greenish_to || polar.chroma < neutral_chroma)
-                    continue;
+                all.add(p, vote);
+                if (!is_green(p)) continue;
                 histogram.add(p, vote);
                 green += static_cast<double>(vote);
             }
@@ -104,7 +108,11 @@ std::optional<ChromaRegion> find_field_colour(std::span<const YuyvImage> picture
         most = std::max(most, green);
     }
     if (most < least_green) return std::nullopt;
-    return histogram.region_around_mode();
+    ChromaRegion region = histogram.region_around_mode();
+    // Noise makes grey walls a little green, too: they have their peak at grey.
+    const cv::Point2d peak = all.highest_near(region.cb, region.cr);
+    if (!is_green({128, static_cast<std::uint8_t>(peak.x), static_cast<std::uint8_t>(peak.y)})) return std::nullopt;
+    return region;
 }
 
 std::optional<ChromaRegion> find_line_colour(std::span<const YuyvImage> pictures, const ChromaRegion& field) {

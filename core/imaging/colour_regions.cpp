@@ -12,9 +12,26 @@ constexpr double region_threshold = 0.02;  // of the mode's frequency
 
 }  // namespace
 
-ChromaRegion ChromaHistogram::region_around_mode() const {
+cv::Mat ChromaHistogram::smoothed() const {
     cv::Mat smooth;
     cv::GaussianBlur(cells_, smooth, {0, 0}, 1.0);
+    return smooth;
+}
+
+cv::Point2d ChromaHistogram::highest_near(double cb, double cr) const {
+    constexpr int reach = 2;  // cells
+    const cv::Mat smooth = smoothed();
+    const cv::Rect near = cv::Rect(static_cast<int>(cr / 4.0) - reach, static_cast<int>(cb / 4.0) - reach,
+                                   2 * reach + 1, 2 * reach + 1) &
+                          cv::Rect(0, 0, smooth.cols, smooth.rows);
+    cv::Point highest;
+    cv::minMaxLoc(smooth(near), nullptr, nullptr, nullptr, &highest);
+    highest += near.tl();
+    return {highest.y * 4.0 + 2.0, highest.x * 4.0 + 2.0};
+}
+
+ChromaRegion ChromaHistogram::region_around_mode() const {
+    const cv::Mat smooth = smoothed();
     double peak = 0.0;
     cv::Point mode;
     cv::minMaxLoc(smooth, nullptr, &peak, nullptr, &mode);
@@ -73,10 +90,15 @@ cv::Mat pitch_mask(const cv::Mat& field_coloured, double scale) {
     int largest = 0;
     for (int i = 1; i < blobs.count; ++i)
         if (largest == 0 || blobs.area(i) > blobs.area(largest)) largest = i;
-    if (largest == 0 || blobs.area(largest) < pitch.rows * pitch.cols / 50) return pitch;
+    const int least = pitch.rows * pitch.cols / 50;
+    if (largest == 0 || blobs.area(largest) < least) return pitch;
+    std::vector<bool> is_pitch(static_cast<std::size_t>(blobs.count), false);
+    for (int i = 1; i < blobs.count; ++i)
+        is_pitch[static_cast<std::size_t>(i)] =
+            i == largest || (blobs.area(i) >= least && 4 * blobs.box(i).br().y >= 3 * pitch.rows);
     for (int x = 0; x < pitch.cols; ++x) {
         int y = 0;
-        while (y < pitch.rows && blobs.labels.at<int>(y, x) != largest) ++y;
+        while (y < pitch.rows && !is_pitch[static_cast<std::size_t>(blobs.labels.at<int>(y, x))]) ++y;
         for (; y < pitch.rows; ++y) pitch.at<std::uint8_t>(y, x) = 255;
     }
     return pitch;

@@ -29,8 +29,11 @@ class ChromaHistogram {
     bool empty() const { return cv::countNonZero(cells_) == 0; }
     /// The cells joined to the mode of the smoothed histogram that reach 2 % of its height. Requires a sample.
     ChromaRegion region_around_mode() const;
+    /// (Cb, Cr) of the highest cell of the smoothed histogram within two cells of this chroma.
+    cv::Point2d highest_near(double cb, double cr) const;
 
   private:
+    cv::Mat smoothed() const;
     cv::Mat cells_;
 };
 
@@ -52,8 +55,9 @@ cv::Mat mask_of(YuyvView image, Wanted wanted) {
     return mask;
 }
 
-/// Everything from the upper rim of the largest field-coloured area down, column by column; nothing where that
-/// area is less than a fiftieth of the picture.
+/// Everything from the upper rim of the pitch down, column by column. The pitch is the largest field-coloured area,
+/// and others that reach into the lowest quarter of the picture (lines cut it apart), each a fiftieth of the
+/// picture or more; nothing where there is none.
 cv::Mat pitch_mask(const cv::Mat& field_coloured, double scale);
 
 /// Local mean of the luma of field-coloured pixels, CV_32F; 0 where there are none near.

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
@@ -30,7 +31,8 @@ struct DrawnPitch {
 
 struct DrawnPicture {
     YuyvImage image;
-    cv::Mat truth;  // CV_8UC1: Colour of each pixel
+    cv::Mat truth;                // CV_8UC1: Colour of each pixel
+    std::vector<cv::Rect> posts;  // from the crossbar's lower side to the foot
 };
 
 /// Picture number `n`: posts, ball, line and clutter stand elsewhere in each. A wall with things in orange, in blue
@@ -40,6 +42,7 @@ inline DrawnPicture draw_pitch(const DrawnPitch& pitch, unsigned n) {
     const cv::Size size(640, 480);
     cv::Mat bgr(size, CV_64FC3, cv::Scalar(150, 158, 160));
     cv::Mat truth(size, CV_8UC1, cv::Scalar(0));
+    std::vector<cv::Rect> posts;
     const auto fill = [&](const cv::Rect& box, const cv::Vec3d& colour, Colour c) {
         cv::rectangle(bgr, box, cv::Scalar(colour[0], colour[1], colour[2]), cv::FILLED);
         cv::rectangle(truth, box, cv::Scalar(static_cast<int>(c)), cv::FILLED);
@@ -67,7 +70,8 @@ inline DrawnPicture draw_pitch(const DrawnPitch& pitch, unsigned n) {
         const int left = random.uniform(20, 200);
         const int right = left + random.uniform(150, 380);
         for (const int x : {left, right}) {
-            fill({x, 20, width, border + 20 - 20}, pitch.goal, Colour::goal);
+            posts.emplace_back(x, 20, width, border);
+            fill(posts.back(), pitch.goal, Colour::goal);
             for (int y = 20; y < border + 20; ++y)
                 for (int i = 0; i < width; ++i) {  // round: darker towards its sides
                     const double across = 2.0 * (i + 0.5) / width - 1.0;
@@ -88,7 +92,7 @@ inline DrawnPicture draw_pitch(const DrawnPitch& pitch, unsigned n) {
     bgr += noise;
     cv::Mat shown;
     bgr.convertTo(shown, CV_8UC3);
-    return {yuyv_from_bgr(shown), truth};
+    return {yuyv_from_bgr(shown), truth, posts};
 }
 
 }  // namespace goalmouth::test
