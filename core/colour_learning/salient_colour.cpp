@@ -13,22 +13,59 @@ namespace goalmouth {
 
 namespace {
 
-using Slice = std::function<bool(Ycbcr)>;
+/// Mean colour of the lines, from neutral.
+struct Paint {
+    double y = 255.0;
+    double cb = 0.0;
+    double cr = 0.0;
+};
 
-/// Every cell by the colour in its middle; what the field has is never the goal's.
-ColourTable table_of(const Slice& slice, const ChromaRegion& field) {
-    ColourTable table(6);
+/// The colour in the middle of a cell, as it is and as it would be were the lines white.
+struct Cell {
+    Ycbcr p;
+    ChromaPolar balanced;
+};
+
+using Slice = std::function<bool(const Cell&)>;
+
+/// Red, green and blue divided by what white has of them (von Kries). A channel of which the light has next to
+/// nothing is not blown up beyond fourfold: it is noise.
+ChromaPolar balanced(Ycbcr p, const Paint& white) {
+    const auto red = [](double y, double cr) { return y + 1.402 * cr; };
+    const auto green = [](double y, double cb, double cr) { return y - 0.344136 * cb - 0.714136 * cr; };
+    const auto blue = [](double y, double cb) { return y + 1.772 * cb; };
+    const double cb = p.cb - 128.0;
+    const double cr = p.cr - 128.0;
+    const auto share = [&](double of_white) { return std::max(of_white / white.y, 0.25); };
+    const double r = red(p.y, cr) / share(red(white.y, white.cr));
+    const double g = green(p.y, cb, cr) / share(green(white.y, white.cb, white.cr));
+    const double b = blue(p.y, cb) / share(blue(white.y, white.cb));
+    const double y = 0.299 * r + 0.587 * g + 0.114 * b;
+    return chroma_polar(y, (b - y) / 1.772, (r - y) / 1.402);
+}
+
+std::vector<Cell> cells(const Paint& white) {
+    std::vector<Cell> all;
     for (int cb = 2; cb < 256; cb += 4) {
         for (int cr = 2; cr < 256; cr += 4) {
             for (int y = 2; y < 256; y += 4) {
                 const Ycbcr p{static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(cb),
                               static_cast<std::uint8_t>(cr)};
-                if (field.holds(p)) {
-                    table.set(p, Colour::field);
-                } else if (slice(p)) {
-                    table.set(p, Colour::goal);
-                }
+                all.push_back({p, balanced(p, white)});
             }
+        }
+    }
+    return all;
+}
+
+/// What the field has is never the goal's.
+ColourTable table_of(const Slice& slice, const std::vector<Cell>& all, const ChromaRegion& field) {
+    ColourTable table(6);
+    for (const Cell& cell : all) {
+        if (field.holds(cell.p)) {
+            table.set(cell.p, Colour::field);
+        } else if (slice(cell)) {
+            table.set(cell.p, Colour::goal);
         }
     }
     return table;
@@ -39,23 +76,16 @@ std::vector<Slice> yellow_slices() {
     std::vector<Slice> slices;
     for (double hue = 144.0; hue <= 200.0; hue += 7.0) {
         for (const double saturation : {0.15, 0.25, 0.4}) {
-            ColourRule rule;
-            rule.hue = {hue - 14.0, hue + 14.0};
-            rule.saturation = {saturation, 182.0};
-            rule.chroma = {12.0, 182.0};
-            slices.emplace_back([rule](Ycbcr p) { return rule.fits(p); });
+            slices.emplace_back([hue, saturation](const Cell& cell) {
+                return std::abs(cell.balanced.hue - hue) <= 14.0 && cell.balanced.saturation >= saturation &&
+                       cell.balanced.chroma >= 12.0;
+            });
         }
     }
     return slices;
 }
 
-/// Mean colour of what is bright on the ground in the lines' chroma.
-struct Paint {
-    double y = 0.0;
-    double cb = 0.0;  // from neutral
-    double cr = 0.0;
-};
-
+/// Of what is bright on the ground in the lines' chroma.
 std::optional<Paint> mean_paint(std::span<const YuyvImage> pictures, const ChromaRegion& field,
                                 const ChromaRegion& line) {
     Paint sum;
@@ -85,7 +115,8 @@ std::vector<Slice> white_slices(const Paint& paint) {
     std::vector<Slice> slices;
     for (const double share : {0.6, 0.8, 1.0}) {
         for (const double near : {0.12, 0.2}) {
-            slices.emplace_back([paint, share, near](Ycbcr p) {
+            slices.emplace_back([paint, share, near](const Cell& cell) {
+                const Ycbcr p = cell.p;
                 const double off_cb = (p.cb - 128.0) / std::max<double>(p.y, 1.0) - paint.cb / paint.y;
                 const double off_cr = (p.cr - 128.0) / std::max<double>(p.y, 1.0) - paint.cr / paint.y;
                 return p.y >= share * paint.y && std::hypot(off_cb, off_cr) <= near;
@@ -124,15 +155,17 @@ GoalPaint goal_paint(const std::string& name) {
 
 std::optional<SalientGoal> find_goal(std::span<const YuyvImage> pictures, const ChromaRegion& field,
                                      const std::optional<ChromaRegion>& line, GoalPaint paint) {
+    const std::optional<Paint> white = line ? mean_paint(pictures, field, *line) : std::nullopt;
     std::vector<Slice> slices;
     if (paint == GoalPaint::yellow) {
         slices = yellow_slices();
-    } else if (line) {
-        if (const auto white = mean_paint(pictures, field, *line)) slices = white_slices(*white);
+    } else if (white) {
+        slices = white_slices(*white);
     }
+    const std::vector<Cell> all = cells(white.value_or(Paint{}));
     std::optional<SalientGoal> best;
     for (const Slice& slice : slices) {
-        SalientGoal goal = looked_at(pictures, table_of(slice, field));
+        SalientGoal goal = looked_at(pictures, table_of(slice, all, field));
         if (goal.score() > (best ? best->score() : 0.0)) best = std::move(goal);
     }
     return best;

@@ -4,7 +4,7 @@
 
 namespace goalmouth {
 
-/// Adds `learn` to the verb `goalmouth colours`.
+/// Adds `learn` and `teach` to the verb `goalmouth colours`.
 void add_colours_learn(CLI::App& colours_verb, Action& action);
 
 }  // namespace goalmouth

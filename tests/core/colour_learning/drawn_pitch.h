@@ -26,6 +26,7 @@ struct DrawnPitch {
     bool posts = true;
     bool lines = true;
     bool field = true;
+    int things = 6;  // on the wall
     Light light = {};
 };
 
@@ -48,7 +49,7 @@ inline DrawnPicture draw_pitch(const DrawnPitch& pitch, unsigned n) {
         cv::rectangle(truth, box, cv::Scalar(static_cast<int>(c)), cv::FILLED);
     };
     const int border = 150 + random.uniform(-15, 16);
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < pitch.things; ++i) {
         const std::array<cv::Vec3d, 4> colours = {cv::Vec3d{30, 90, 170}, cv::Vec3d{160, 80, 40},
                                                   cv::Vec3d{30, 30, 34}, pitch.goal};
         fill({random.uniform(0, 560), random.uniform(0, border - 70), random.uniform(20, 80), random.uniform(10, 35)},

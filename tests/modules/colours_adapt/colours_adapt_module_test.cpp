@@ -1,0 +1,227 @@
+#include "modules/colours_adapt/colours_adapt_module.h"
+
+#include "core/colour_learning/colour_learner.h"
+#include "core/conversion/intrinsics.h"
+#include "core/conversion/posts.h"
+#include "core/imaging/colour_table_file.h"
+#include "core/messaging/channels.h"
+#include "core/messaging/image_output.h"
+#include "core/messaging/memory_bus.h"
+#include "core/messaging/typed.h"
+#include "modules/detection_ransac/detection_ransac_module.h"
+#include "modules/extraction/extraction_module.h"
+#include "modules/segmentation/segmentation_module.h"
+#include "tests/core/colour_learning/drawn_pitch.h"
+#include "tests/support/data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <goalmouth/colour_gains_t.hpp>
+
+namespace goalmouth {
+namespace {
+
+constexpr unsigned views = 6;
+
+/// Six views of a pitch, and a table learnt from them as they are.
+struct Venue {
+    std::vector<cv::Mat> bgr;
+    std::vector<std::vector<cv::Rect>> posts;
+    ColourTable table;
+};
+
+const Venue& venue() {
+    static const Venue made = [] {
+        Venue v;
+        std::vector<YuyvImage> images;
+        for (unsigned n = 0; n < views; ++n) {
+            // Without things in the posts' colour before them: what is lost is lost to the light.
+            test::DrawnPitch pitch;
+            pitch.things = 0;
+            test::DrawnPicture picture = test::draw_pitch(pitch, n);
+            v.bgr.push_back(bgr_from_yuyv(picture.image.view()));
+            v.posts.push_back(picture.posts);
+            images.push_back(std::move(picture.image));
+        }
+        v.table = learn_without_labels(images, GoalPaint::yellow, 6, "venue").table;
+        return v;
+    }();
+    return made;
+}
+
+/// The picture in another light; what is too bright clips.
+YuyvImage lit(const cv::Mat& bgr, const test::Light& light) {
+    cv::Mat out;
+    cv::multiply(bgr, cv::Scalar(light.blue, light.green, light.red), out);
+    return yuyv_from_bgr(out);
+}
+
+/// The light of `a` after a share of the way to `b`, by equal factors.
+test::Light between(const test::Light& b, double share) {
+    return {std::pow(b.red, share), std::pow(b.green, share), std::pow(b.blue, share)};
+}
+
+/// Segmentation to detection on a bus in memory, with or without adaptation.
+class Robot {
+  public:
+    Robot(const std::string& table, bool adapts, ColoursAdaptModule::Parameters parameters = {}) {
+        SegmentationModule::Parameters segmentation;
+        segmentation.colours = table;
+        segmentation_.emplace(context("segmentation"), segmentation);
+        extraction_.emplace(context("extraction"), ExtractionModule::Parameters{});
+        detection_.emplace(context("detection"), RansacDetectionModule::Parameters{});
+        parameters.colours = table;
+        if (adapts) adapt_.emplace(context("adapt"), parameters);
+        subscribe<posts_t>(hub_.endpoint("listener"), channels::posts,
+                           [this](const posts_t& m) { posts_ = from_message(m); });
+        subscribe<colour_gains_t>(hub_.endpoint("listener"), channels::colour_gains,
+                                  [this](const colour_gains_t& m) { said.push_back(m); });
+    }
+
+    /// A tenth of a second later.
+    const std::vector<Post>& sees(const YuyvImage& image) {
+        FrameInfo info;
+        info.seq = seq_++;
+        info.utime = 1'000'000 + 100'000 * info.seq;
+        info.intrinsics = to_message(Intrinsics{});
+        posts_.clear();
+        publish(hub_.endpoint("camera"), channels::image, self_contained_yuyv(info, "c", image.view()));
+        hub_.run_until_idle();
+        return posts_;
+    }
+
+    std::vector<colour_gains_t> said;
+
+  private:
+    ModuleContext& context(const std::string& name) {
+        contexts_.push_back(std::make_unique<ModuleContext>(
+            ModuleContext{hub_.endpoint(name), *statuses_.emplace_back(std::make_unique<Status>()), name, 1, {}}));
+        return *contexts_.back();
+    }
+
+    MemoryHub hub_;
+    std::vector<std::unique_ptr<Status>> statuses_;
+    std::vector<std::unique_ptr<ModuleContext>> contexts_;
+    std::optional<SegmentationModule> segmentation_;
+    std::optional<ExtractionModule> extraction_;
+    std::optional<RansacDetectionModule> detection_;
+    std::optional<ColoursAdaptModule> adapt_;
+    std::vector<Post> posts_;
+    std::int64_t seq_ = 0;
+};
+
+/// Both edges within a quarter of the width, at half of the height.
+bool found(const cv::Rect& truth, const std::vector<Post>& posts) {
+    const double allowed = 0.25 * truth.width;
+    return std::any_of(posts.begin(), posts.end(), [&](const Post& post) {
+        const double left = 0.5 * (post.left_top + post.left_base).x();
+        const double right = 0.5 * (post.right_top + post.right_base).x();
+        return std::abs(left - (truth.x - 0.5)) <= allowed && std::abs(right - (truth.br().x - 0.5)) <= allowed;
+    });
+}
+
+class ColoursAdapt : public testing::Test {
+  protected:
+    ColoursAdapt() { save_colour_table(venue().table, table()); }
+    std::string table() const { return (folder_.path() / "t.gmct").string(); }
+
+    /// Light changes to `light` within eight seconds; then the share of the posts found in all views.
+    double found_after(Robot& robot, const test::Light& light) const {
+        for (int i = 0; i < 15; ++i) robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], {}));
+        for (int i = 0; i < 110; ++i) {
+            const double share = std::min(1.0, i / 80.0);
+            robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], between(light, share)));
+        }
+        double all = 0.0, right = 0.0;
+        for (std::size_t n = 0; n < views; ++n) {
+            const std::vector<Post>& posts = robot.sees(lit(venue().bgr[n], light));
+            for (const cv::Rect& truth : venue().posts[n]) {
+                all += 1.0;
+                right += found(truth, posts);
+            }
+        }
+        return right / all;
+    }
+    test::TemporaryFolder folder_;
+};
+
+/// Factors on levels: brightness × 0.3 and × 3 and colour temperatures as a camera of gamma 2.2 codes them.
+const std::vector<std::pair<std::string, test::Light>> lights = {
+    {"x0.3", {0.58, 0.58, 0.58}},       {"x0.5", {0.73, 0.73, 0.73}},     {"x1", {1.0, 1.0, 1.0}},
+    {"x2", {1.37, 1.37, 1.37}},         {"x3", {1.65, 1.65, 1.65}},       {"2700 K", {1.15, 0.95, 0.67}},
+    {"7500 K", {0.95, 1.0, 1.1}},       {"x0.3, 2700 K", {0.67, 0.55, 0.39}}};
+
+TEST_F(ColoursAdapt, PostsAreFoundInOtherLight) {
+    double with = 0.0, without = 0.0;
+    for (const auto& [name, light] : lights) {
+        Robot adapting(table(), true);
+        Robot fixed(table(), false);
+        const double on = found_after(adapting, light);
+        const double off = found_after(fixed, light);
+        std::printf("%-14s posts found: %5.1f %% adapting, %5.1f %% without\n", name.c_str(), 100 * on, 100 * off);
+        with += on / static_cast<double>(lights.size());
+        without += off / static_cast<double>(lights.size());
+    }
+    std::printf("all            posts found: %5.1f %% adapting, %5.1f %% without\n", 100 * with, 100 * without);
+    EXPECT_GE(with, 0.97);
+    EXPECT_LT(without, with);
+}
+
+TEST_F(ColoursAdapt, TheGainsAreThoseOfTheLight) {
+    Robot robot(table(), true);
+    found_after(robot, {0.7, 0.6, 0.5});
+    ASSERT_FALSE(robot.said.empty());
+    EXPECT_NEAR(robot.said.back().red, 0.7, 0.05);
+    EXPECT_NEAR(robot.said.back().green, 0.6, 0.03);
+    EXPECT_NEAR(robot.said.back().blue, 0.5, 0.05);
+    for (const colour_gains_t& m : robot.said) EXPECT_EQ(m.from_utime, m.utime + 300'000);
+    for (std::size_t i = 1; i < robot.said.size(); ++i)
+        EXPECT_GE(robot.said[i].utime - robot.said[i - 1].utime, 500'000);
+}
+
+TEST_F(ColoursAdapt, TheSameFramesGiveTheSameMessages) {
+    Robot one(table(), true), two(table(), true);
+    found_after(one, {0.8, 0.7, 0.6});
+    found_after(two, {0.8, 0.7, 0.6});
+    ASSERT_EQ(one.said.size(), two.said.size());
+    for (std::size_t i = 0; i < one.said.size(); ++i) {
+        EXPECT_EQ(one.said[i].utime, two.said[i].utime);
+        EXPECT_EQ(one.said[i].red, two.said[i].red);
+        EXPECT_EQ(one.said[i].blue, two.said[i].blue);
+    }
+}
+
+TEST_F(ColoursAdapt, AViewWithoutFieldChangesNothing) {
+    Robot robot(table(), true);
+    for (int i = 0; i < 15; ++i) robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], {}));
+    for (const cv::Scalar& colour : {cv::Scalar(150, 158, 160), cv::Scalar(0, 0, 0), cv::Scalar(30, 90, 170),
+                                     cv::Scalar(255, 255, 255), cv::Scalar(40, 190, 225)}) {
+        const YuyvImage wall = yuyv_from_bgr(cv::Mat(480, 640, CV_8UC3, colour));
+        for (int i = 0; i < 60; ++i) robot.sees(wall);
+    }
+    EXPECT_TRUE(robot.said.empty());
+    EXPECT_EQ(robot.sees(lit(venue().bgr[0], {})).size(), venue().posts[0].size());
+}
+
+TEST_F(ColoursAdapt, FrozenItSaysNothing) {
+    ColoursAdaptModule::Parameters parameters;
+    parameters.frozen = true;
+    Robot robot(table(), true, parameters);
+    found_after(robot, {0.7, 0.7, 0.7});
+    EXPECT_TRUE(robot.said.empty());
+}
+
+TEST_F(ColoursAdapt, WhatChangesAtOnceIsNotLight) {
+    Robot robot(table(), true);
+    for (int i = 0; i < 15; ++i) robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], {}));
+    for (int i = 0; i < 60; ++i) robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], {1.6, 1.6, 1.6}));
+    EXPECT_TRUE(robot.said.empty());
+}
+
+}  // namespace
+}  // namespace goalmouth
