@@ -13,12 +13,12 @@ namespace goalmouth {
 
 namespace {
 
-constexpr int widest = 640;             // px; posts 6 m away still are 9 px wide
-constexpr int rounds = 2;               // of labelling and finding posts anew
-constexpr double same_inside = 0.7;     // share of a post's pixels in the goal's colour
+constexpr int widest = 640;                    // px; posts 6 m away still are 9 px wide
+constexpr int rounds = 2;                      // of labelling and finding posts anew
+constexpr double same_inside = 0.7;            // share of a post's pixels in the goal's colour
 constexpr double least_ball_confidence = 0.5;  // below, more of what is called ball is none than is
-constexpr double darkest_share = 0.02;  // quantile of the posts' luma …
-constexpr double darker_still = 0.8;    // … and how far below it the goal's shade may go
+constexpr double darkest_share = 0.02;         // quantile of the posts' luma …
+constexpr double darker_still = 0.8;           // … and how far below it the goal's shade may go
 
 /// Luma that all but a few of the posts' pixels reach.
 double darkest_of(std::span<const LabelledScene> scenes, const ChromaRegion& goal) {
@@ -41,18 +41,20 @@ double darkest_of(std::span<const LabelledScene> scenes, const ChromaRegion& goa
 /// Whether a post has the goal's colour inside.
 bool same_colour(YuyvView image, const PostOutline& post, const SceneColours& colours) {
     const std::vector<Ycbcr> pixels = pixels_in_posts(image, {&post, 1});
-    const auto same = std::count_if(pixels.begin(), pixels.end(), [&](Ycbcr p) { return colours.goal.holds(p); });
+    const auto same =
+        std::count_if(pixels.begin(), pixels.end(), [&](Ycbcr p) { return colours.goal.holds(p); });
     return !pixels.empty() && static_cast<double>(same) >= same_inside * static_cast<double>(pixels.size());
 }
 
-/// Boxes of what has the goal's colour and stands on the pitch or leaves the picture, higher than wide, but was
-/// not taken for a post: it may be one.
+/// Boxes of what has the goal's colour and stands on the pitch or leaves the picture, higher than wide, but
+/// was not taken for a post: it may be one.
 std::vector<cv::Rect> doubtful(const LabelledScene& scene, const SceneColours& colours) {
     const YuyvView image = scene.image.view();
     const double scale = image_scale(image.width);
     const cv::Mat like_field = mask_of(image, [&](Ycbcr p) { return colours.field.holds(p); });
-    cv::Mat like_goal = mask_of(
-        image, [&](Ycbcr p) { return p.y >= colours.darkest_goal && colours.goal.holds(p) && !colours.field.holds(p); });
+    cv::Mat like_goal = mask_of(image, [&](Ycbcr p) {
+        return p.y >= colours.darkest_goal && colours.goal.holds(p) && !colours.field.holds(p);
+    });
     cv::morphologyEx(like_goal, like_goal, cv::MORPH_CLOSE, disc(3.0 * scale));
     cv::Mat pitch = pitch_mask(like_field, scale);
     cv::dilate(pitch, pitch, disc(6.0 * scale), {-1, -1}, 1, cv::BORDER_REPLICATE);
@@ -93,7 +95,8 @@ SceneColours colours_of(std::span<const LabelledScene> scenes, std::span<const Y
     return colours;
 }
 
-/// RANSAC's outlines are less exact than a person's: what in them has another chroma than most is not the post's.
+/// RANSAC's outlines are less exact than a person's: what in them has another chroma than most is not the
+/// post's.
 void keep_goal_colour(cv::Mat& labels, YuyvView image, const ChromaRegion& goal) {
     for (int y = 0; y < labels.rows; ++y) {
         std::uint8_t* row = labels.ptr<std::uint8_t>(y);
@@ -131,7 +134,8 @@ struct Lesson {
         for (int y = 0; y < labels.rows * factor; ++y) {
             const std::uint8_t* row = labels.ptr<std::uint8_t>(y / factor);
             for (int x = 0; x < labels.cols * factor; ++x)
-                if (const std::uint8_t label = row[x / factor]; label < colour_count) visit(picture.at(x, y), label);
+                if (const std::uint8_t label = row[x / factor]; label < colour_count)
+                    visit(picture.at(x, y), label);
         }
     }
 };
@@ -214,21 +218,23 @@ LearntColours learn_without_labels(std::span<const YuyvImage> pictures, GoalPain
                                    const std::string& name) {
     if (pictures.empty()) throw NothingToLearn("there is no picture to learn from");
     std::vector<YuyvImage> images;
-    for (const YuyvImage& picture : pictures) images.push_back(shrunk(picture.view(), shrink_factor(picture.view(), widest)));
+    for (const YuyvImage& picture : pictures)
+        images.push_back(shrunk(picture.view(), shrink_factor(picture.view(), widest)));
     const std::string of_these = "none of the " + std::to_string(images.size()) + " pictures shows ";
 
     const auto field = find_field_colour(images);
     if (!field)
-        throw NothingToLearn(of_these + "a field: a large green area in the lower half is what is looked for");
+        throw NothingToLearn(of_these +
+                             "a field: a large green area in the lower half is what is looked for");
     const auto line = find_line_colour(images, *field);
     if (paint == GoalPaint::white && !line)
         throw NothingToLearn(of_these + "a line on the field, which is what tells how white looks there");
     const auto goal = find_goal(images, *field, line, paint);
     if (!goal) {
-        throw NothingToLearn(of_these + "a goalpost: something " +
-                             (paint == GoalPaint::yellow ? "yellow" : "white") +
-                             ", upright and straight that stands on the field and rises above its border is what "
-                             "is looked for");
+        throw NothingToLearn(
+            of_these + "a goalpost: something " + (paint == GoalPaint::yellow ? "yellow" : "white") +
+            ", upright and straight that stands on the field and rises above its border is what "
+            "is looked for");
     }
 
     std::vector<LabelledScene> scenes;
@@ -239,7 +245,9 @@ LearntColours learn_without_labels(std::span<const YuyvImage> pictures, GoalPain
     for (int round = 0; round < rounds; ++round) {
         auto posts = standing_posts(images, trained(lessons_of(pictures, labels)).table(6, name));
         for (std::size_t i = 0; i < posts.size(); ++i)
-            std::erase_if(posts[i], [&](const PostOutline& post) { return !same_colour(images[i].view(), post, colours); });
+            std::erase_if(posts[i], [&](const PostOutline& post) {
+                return !same_colour(images[i].view(), post, colours);
+            });
         if (std::all_of(posts.begin(), posts.end(), [](const auto& p) { return p.empty(); })) break;
         set_posts(scenes, std::move(posts));
         colours = colours_of(scenes, images, *field, line);

@@ -28,9 +28,9 @@ struct LearntClass {
     int pictures = 0;      // in which it was seen
     double samples = 0.0;  // pixels
     Ycbcr mean;            // of the samples
-    /// Two tables are learnt from every other picture each and tried on the rest: share of the pixels taken for
-    /// this class there that such a table calls so, and of those it calls so that were taken for it. Nothing
-    /// where one half had none.
+    /// Two tables are learnt from every other picture each and tried on the rest: share of the pixels taken
+    /// for this class there that such a table calls so, and of those it calls so that were taken for it.
+    /// Nothing where one half had none.
     std::optional<double> recall, precision;
     /// Harmonic mean of the two, 0 without them: how well pictures agree about the class.
     double confidence() const;
@@ -54,8 +54,8 @@ struct LearntColours {
 ///   1. Pictures are shrunk to 640 px or less.
 ///   2. The field's colour, then the lines' (field_colours.h), then the goal's (salient_colour.h).
 ///   3. The posts found so are outlines such as a person would have drawn: label_scene() labels the pictures
-///      and ColourTrainer makes a table. Goal-coloured things that stand on the field or leave the picture but
-///      were not recognised as posts teach nothing.
+///      and ColourTrainer makes a table. Goal-coloured things that stand on the field or leave the picture
+///      but were not recognised as posts teach nothing.
 ///   4. That table finds more posts, of which those with the same colour inside take the place of the first;
 ///      once more from 3.
 ///

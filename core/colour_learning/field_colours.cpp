@@ -11,18 +11,18 @@ namespace goalmouth {
 
 namespace {
 
-constexpr double greenish_from = 170.8;     // [deg] where green outweighs red …
-constexpr double greenish_to = 288.7;       // … and blue
-constexpr double neutral_chroma = 6.0;      // levels; noise alone reaches as far from grey
-constexpr double least_green = 0.05;        // of a picture's lower half
-constexpr double line_slenderness = 4.0;    // length over mean thickness; a disc has 1.3, a square 1
-constexpr double widest_line = 48.0;        // px at 640 px width: wider is paper, a robot, a wall
-constexpr int fewest_line_pixels = 200;     // in all pictures
-constexpr double salient_chroma = 25.0;     // levels; a ball's colour is farther from grey
-constexpr double ball_fill = 0.6;           // of its box; a disc fills 0.785
-constexpr double ball_aspect = 1.7;         // blur and clipping stretch it
-constexpr double ball_surroundings = 0.6;   // of the ring around it that is carpet or line
-constexpr double same_colour = 0.5;         // of a blob's pixels
+constexpr double greenish_from = 170.8;    // [deg] where green outweighs red …
+constexpr double greenish_to = 288.7;      // … and blue
+constexpr double neutral_chroma = 6.0;     // levels; noise alone reaches as far from grey
+constexpr double least_green = 0.05;       // of a picture's lower half
+constexpr double line_slenderness = 4.0;   // length over mean thickness; a disc has 1.3, a square 1
+constexpr double widest_line = 48.0;       // px at 640 px width: wider is paper, a robot, a wall
+constexpr int fewest_line_pixels = 200;    // in all pictures
+constexpr double salient_chroma = 25.0;    // levels; a ball's colour is farther from grey
+constexpr double ball_fill = 0.6;          // of its box; a disc fills 0.785
+constexpr double ball_aspect = 1.7;        // blur and clipping stretch it
+constexpr double ball_surroundings = 0.6;  // of the ring around it that is carpet or line
+constexpr double same_colour = 0.5;        // of a blob's pixels
 constexpr int fewest_ball_pictures = 2;
 
 bool is_green(Ycbcr p) {
@@ -111,7 +111,8 @@ std::optional<ChromaRegion> find_field_colour(std::span<const YuyvImage> picture
     ChromaRegion region = histogram.region_around_mode();
     // Noise makes grey walls a little green, too: they have their peak at grey.
     const cv::Point2d peak = all.highest_near(region.cb, region.cr);
-    if (!is_green({128, static_cast<std::uint8_t>(peak.x), static_cast<std::uint8_t>(peak.y)})) return std::nullopt;
+    if (!is_green({128, static_cast<std::uint8_t>(peak.x), static_cast<std::uint8_t>(peak.y)}))
+        return std::nullopt;
     return region;
 }
 
@@ -159,7 +160,8 @@ std::optional<ChromaRegion> find_ball_colour(std::span<const YuyvImage> pictures
     if (histogram.empty()) return std::nullopt;
     const ChromaRegion region = histogram.region_around_mode();
     const auto of_this_colour = [&](const std::vector<Ycbcr>& pixels) {
-        const auto inside = std::count_if(pixels.begin(), pixels.end(), [&](Ycbcr p) { return region.holds(p); });
+        const auto inside =
+            std::count_if(pixels.begin(), pixels.end(), [&](Ycbcr p) { return region.holds(p); });
         return static_cast<double>(inside) >= same_colour * static_cast<double>(pixels.size());
     };
     const auto with_ball = std::count_if(blobs_seen.begin(), blobs_seen.end(), [&](const auto& blobs) {

@@ -8,10 +8,10 @@ namespace goalmouth {
 
 namespace {
 
-constexpr int step = 4;                // px between looked-at pixels
-constexpr double below_border = 8.0;   // px: mixed pixels and the rim of the carpet stay out
-constexpr double least_level = 8.0;    // a darker channel's ratio is noise
-constexpr double saturated = 250.0;    // a channel that clips says nothing
+constexpr int step = 4;               // px between looked-at pixels
+constexpr double below_border = 8.0;  // px: mixed pixels and the rim of the carpet stay out
+constexpr double least_level = 8.0;   // a darker channel's ratio is noise
+constexpr double saturated = 250.0;   // a channel that clips says nothing
 
 /// Counts of levels.
 class Levels {

@@ -33,7 +33,8 @@ void describe_parameters(Visitor& v, LightTrackerParameters& p) {
       "looks at the start from which the field's colour is taken that belongs to the table");
     v("time_constant", p.time_constant, Range{0, 1000}, "s", "how slowly the gains follow; 0: at once");
     v("largest_step", p.largest_step, Range{0.01, 10}, "1",
-      "looks whose gains differ by a larger share from those in force are not believed: light changes slowly");
+      "looks whose gains differ by a larger share from those in force are not believed: light changes "
+      "slowly");
     v("lowest", p.lowest, Range{0.05, 1}, "1", "gains never fall below this");
     v("highest", p.highest, Range{1, 20}, "1", "gains never rise above this");
 }
@@ -43,21 +44,21 @@ struct FieldLook {
     Eigen::Vector3d rgb = Eigen::Vector3d::Zero();  // levels, medians; exact to a level
 };
 
-/// The field below its border, where it is sure to be field: medians over what `table` does not call line, ball
-/// or goal. Nothing where too little of the picture lies below the border, or too little of that has the field's
-/// colour.
+/// The field below its border, where it is sure to be field: medians over what `table` does not call line,
+/// ball or goal. Nothing where too little of the picture lies below the border, or too little of that has the
+/// field's colour.
 std::optional<FieldLook> look_at_field(YuyvView image, const FieldBorder& border, const ColourTable& table,
                                        const LightTrackerParameters& parameters);
 
-/// Follows slow changes of light by the field's look. The first looks say what belongs to the table; from then on
-/// each look's ratio to them pulls the gains towards itself. A frame without a look changes nothing, however long
-/// that lasts.
+/// Follows slow changes of light by the field's look. The first looks say what belongs to the table; from
+/// then on each look's ratio to them pulls the gains towards itself. A frame without a look changes nothing,
+/// however long that lasts.
 class LightTracker {
   public:
     explicit LightTracker(const LightTrackerParameters& parameters) : parameters_(parameters) {}
 
-    /// In order of time; a look that is not younger than the last one counts as the same moment. Returns whether
-    /// the gains moved.
+    /// In order of time; a look that is not younger than the last one counts as the same moment. Returns
+    /// whether the gains moved.
     bool follow(const FieldLook& look, std::int64_t utime);
 
     const ColourGains& gains() const { return gains_; }

@@ -28,8 +28,8 @@ struct Cell {
 
 using Slice = std::function<bool(const Cell&)>;
 
-/// Red, green and blue divided by what white has of them (von Kries). A channel of which the light has next to
-/// nothing is not blown up beyond fourfold: it is noise.
+/// Red, green and blue divided by what white has of them (von Kries). A channel of which the light has next
+/// to nothing is not blown up beyond fourfold: it is noise.
 ChromaPolar balanced(Ycbcr p, const Paint& white) {
     const auto red = [](double y, double cr) { return y + 1.402 * cr; };
     const auto green = [](double y, double cb, double cr) { return y - 0.344136 * cb - 0.714136 * cr; };
@@ -93,8 +93,8 @@ std::optional<Paint> mean_paint(std::span<const YuyvImage> pictures, const Chrom
     for (const YuyvImage& picture : pictures) {
         const YuyvView image = picture.view();
         const cv::Mat like_field = mask_of(image, [&](Ycbcr p) { return field.holds(p); });
-        const cv::Mat paint = brighter_than_field(image, like_field) &
-                              pitch_mask(like_field, image_scale(image.width));
+        const cv::Mat paint =
+            brighter_than_field(image, like_field) & pitch_mask(like_field, image_scale(image.width));
         for (int y = 0; y < image.height; ++y) {
             for (int x = 0; x < image.width; ++x) {
                 const Ycbcr p = image.at(x, y);

@@ -26,10 +26,11 @@ struct SalientGoal {
 };
 
 /// The colour in which things stand on the field as goalposts do: slices of colour space are tried one by one
-/// as if each were the goal's (yellow: hues that are nearer to yellow than to red or green once the lines' colour,
-/// where it is known, is taken for white, at three saturations; white: the lines' hue and saturation, at three brightnesses) and looked at through standing_posts(). The
-/// one wins whose pixels fill most post area, fill it best, and are rarest elsewhere. Nothing where none
-/// shows a post. White needs the lines' colour.
+/// as if each were the goal's (yellow: hues that are nearer to yellow than to red or green once the lines'
+/// colour, where it is known, is taken for white, at three saturations; white: the lines' hue and saturation,
+/// at three brightnesses) and looked at through standing_posts(). The one wins whose pixels fill most post
+/// area, fill it best, and are rarest elsewhere. Nothing where none shows a post. White needs the lines'
+/// colour.
 std::optional<SalientGoal> find_goal(std::span<const YuyvImage> pictures, const ChromaRegion& field,
                                      const std::optional<ChromaRegion>& line, GoalPaint paint);
 

@@ -58,10 +58,11 @@ std::vector<std::vector<PostOutline>> standing_posts(std::span<const YuyvImage> 
         const Candidates candidates = extract_candidates(segments, border, {});
         Random random = random_for_frame(0, "standing_posts", static_cast<std::int64_t>(i));
         const Intrinsics camera = from_horizontal_fov(image.width, image.height, any_field_of_view);
-        for (const Post& post : detect_posts_by_ransac(candidates, camera, 0.1, strict_rules(scale), random)) {
+        for (const Post& post :
+             detect_posts_by_ransac(candidates, camera, 0.1, strict_rules(scale), random)) {
             if (post.has(unusable) || !rises_above(border, post)) continue;
-            found[i].push_back({point(post.left_base), point(post.right_base), point(post.right_top),
-                                point(post.left_top)});
+            found[i].push_back(
+                {point(post.left_base), point(post.right_base), point(post.right_top), point(post.left_top)});
         }
     }
     return found;

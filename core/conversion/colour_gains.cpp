@@ -2,7 +2,8 @@
 
 namespace goalmouth {
 
-colour_gains_t to_message(const ColourGains& gains, std::int64_t utime, std::int64_t seq, std::int64_t from_utime) {
+colour_gains_t to_message(const ColourGains& gains, std::int64_t utime, std::int64_t seq,
+                          std::int64_t from_utime) {
     colour_gains_t m{};
     m.utime = utime;
     m.seq = seq;

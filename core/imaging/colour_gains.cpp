@@ -14,7 +14,7 @@ namespace {
 /// (R, G, B) of (Y, Cb − 128, Cr − 128): ITU-R BT.601, full range.
 Eigen::Matrix3d rgb_of_ycbcr() {
     Eigen::Matrix3d m;
-    m << 1.0, 0.0, 1.402,          //
+    m << 1.0, 0.0, 1.402,           //
         1.0, -0.344136, -0.714136,  //
         1.0, 1.772, 0.0;
     return m;
@@ -38,7 +38,8 @@ ColourTable adapted(const ColourTable& base, const ColourGains& gains) {
     std::size_t entry = 0;
     for (int cb = 0; cb < 256; cb += step) {
         for (int cr = 0; cr < 256; cr += step) {
-            const Eigen::Vector3d chroma = back * Eigen::Vector3d(0.0, cb + centre - 128.0, cr + centre - 128.0);
+            const Eigen::Vector3d chroma =
+                back * Eigen::Vector3d(0.0, cb + centre - 128.0, cr + centre - 128.0);
             for (int y = 0; y < 256; y += step, ++entry) {
                 const Eigen::Vector3d was = chroma + back.col(0) * (y + centre);
                 table.entries()[entry] = static_cast<std::uint8_t>(

@@ -13,7 +13,7 @@ namespace goalmouth {
 
 namespace {
 
-constexpr double border_margin = 3.0;      // px at 640 px width: mixed pixels teach nothing
+constexpr double border_margin = 3.0;  // px at 640 px width: mixed pixels teach nothing
 
 /// The outline moved inwards (negative: outwards) by `by` px on both sides and at both ends.
 std::vector<cv::Point> moved_inwards(const PostOutline& post, double by) {

@@ -27,7 +27,8 @@ class ChromaHistogram {
 
     void add(Ycbcr p, float weight = 1.0F) { cells_.at<float>(p.cb >> 2, p.cr >> 2) += weight; }
     bool empty() const { return cv::countNonZero(cells_) == 0; }
-    /// The cells joined to the mode of the smoothed histogram that reach 2 % of its height. Requires a sample.
+    /// The cells joined to the mode of the smoothed histogram that reach 2 % of its height. Requires a
+    /// sample.
     ChromaRegion region_around_mode() const;
     /// (Cb, Cr) of the highest cell of the smoothed histogram within two cells of this chroma.
     cv::Point2d highest_near(double cb, double cr) const;
@@ -55,17 +56,17 @@ cv::Mat mask_of(YuyvView image, Wanted wanted) {
     return mask;
 }
 
-/// Everything from the upper rim of the pitch down, column by column. The pitch is the largest field-coloured area,
-/// and others that reach into the lowest quarter of the picture (lines cut it apart), each a fiftieth of the
-/// picture or more; nothing where there is none.
+/// Everything from the upper rim of the pitch down, column by column. The pitch is the largest field-coloured
+/// area, and others that reach into the lowest quarter of the picture (lines cut it apart), each a fiftieth
+/// of the picture or more; nothing where there is none.
 cv::Mat pitch_mask(const cv::Mat& field_coloured, double scale);
 
 /// Local mean of the luma of field-coloured pixels, CV_32F; 0 where there are none near.
 cv::Mat field_luma_around(const cv::Mat& luma, const cv::Mat& field_coloured, double scale);
 
-/// Pixels that paint on the carpet can be: white paint reflects two to four times as much as green carpet, which
-/// a camera's gamma of 2.2 turns into 1.3 to 1.9 times the luma. Mask of luma ≥ 1.2 × that of the field around,
-/// and 8 levels above it (noise).
+/// Pixels that paint on the carpet can be: white paint reflects two to four times as much as green carpet,
+/// which a camera's gamma of 2.2 turns into 1.3 to 1.9 times the luma. Mask of luma ≥ 1.2 × that of the field
+/// around, and 8 levels above it (noise).
 cv::Mat brighter_than_field(YuyvView image, const cv::Mat& field_coloured);
 
 /// Connected areas of a mask (8 neighbours).

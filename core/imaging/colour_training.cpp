@@ -69,8 +69,7 @@ bool ColourTrainer::has_class() const {
 }
 
 ColourTable ColourTrainer::table(int bits, const std::string& name) const {
-    if (!has_class())
-        throw std::invalid_argument("no sample of any colour class");
+    if (!has_class()) throw std::invalid_argument("no sample of any colour class");
     const ColourTrainingParameters& p = parameters_;
     const std::array<double, colour_count> priors = {p.prior_unclassified, p.prior_field, p.prior_line,
                                                      p.prior_ball,         p.prior_goal,  p.prior_robot};

@@ -31,7 +31,8 @@ YuyvImage shrunk(YuyvView image, int factor) {
     if (factor == 1) {
         YuyvImage copy(image.width, image.height);
         for (int y = 0; y < image.height; ++y)
-            std::copy_n(image.row(y), copy.stride(), copy.data.begin() + static_cast<std::ptrdiff_t>(y) * copy.stride());
+            std::copy_n(image.row(y), copy.stride(),
+                        copy.data.begin() + static_cast<std::ptrdiff_t>(y) * copy.stride());
         return copy;
     }
     YuyvImage out(image.width / (2 * factor) * 2, image.height / factor);

@@ -4,8 +4,8 @@
 
 namespace goalmouth {
 
-/// The least whole number that, dividing it, makes an image no wider than `widest` px; less where the image is
-/// too low for that.
+/// The least whole number that, dividing it, makes an image no wider than `widest` px; less where the image
+/// is too low for that.
 int shrink_factor(YuyvView image, int widest);
 
 /// The image shrunk by a whole number ≥ 1 (at most half its width and its height): each pixel the mean of

@@ -6,8 +6,8 @@
 
 namespace goalmouth {
 
-/// The table a module's parameter `colours` names. Throws ConfigurationError, which begins with `module`, where
-/// there is none.
+/// The table a module's parameter `colours` names. Throws ConfigurationError, which begins with `module`,
+/// where there is none.
 ColourTable colour_table_parameter(const std::string& file, const std::string& module);
 
 }  // namespace goalmouth

@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t frames_kept = 10;
 
 double largest_change(const ColourGains& a, const ColourGains& b) {
-    return std::max({std::abs(a.red / b.red - 1.0), std::abs(a.green / b.green - 1.0),
-                     std::abs(a.blue / b.blue - 1.0)});
+    return std::max(
+        {std::abs(a.red / b.red - 1.0), std::abs(a.green / b.green - 1.0), std::abs(a.blue / b.blue - 1.0)});
 }
 
 std::int64_t microseconds(double seconds) {

@@ -15,8 +15,8 @@
 
 namespace goalmouth {
 
-/// Frames and the field borders found in them in; out go gains by which segmentation adapts its colour table to the
-/// light.
+/// Frames and the field borders found in them in; out go gains by which segmentation adapts its colour table
+/// to the light.
 class ColoursAdaptModule : public Module {
   public:
     struct Parameters {
@@ -51,9 +51,11 @@ void describe_parameters(Visitor& v, ColoursAdaptModule::Parameters& p) {
     v("frozen", p.frozen, "say nothing: the table stays as it is");
     v("interval", p.interval, Range{0, 60}, "s", "least time between two messages");
     v("lead", p.lead, Range{0, 10}, "s",
-      "gains hold for frames taken so much later than the one they follow from: longer than a message is on its "
+      "gains hold for frames taken so much later than the one they follow from: longer than a message is on "
+      "its "
       "way, so that a replay takes them for the same frames");
-    v("least_change", p.least_change, Range{0, 1}, "1", "gains are said once one differs by that share from what was said");
+    v("least_change", p.least_change, Range{0, 1}, "1",
+      "gains are said once one differs by that share from what was said");
     v.group("light", p.light, "how the field's look is followed");
 }
 

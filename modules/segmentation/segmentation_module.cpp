@@ -30,7 +30,8 @@ ModuleInfo SegmentationModule::info() {
 }
 
 SegmentationModule::SegmentationModule(ModuleContext& context, const Parameters& parameters)
-    : SegmentationModule(context, parameters, colour_table_parameter(parameters.colours, info().executable)) {}
+    : SegmentationModule(context, parameters, colour_table_parameter(parameters.colours, info().executable)) {
+}
 
 SegmentationModule::SegmentationModule(ModuleContext& context, const Parameters& parameters,
                                        const ColourTable& table)

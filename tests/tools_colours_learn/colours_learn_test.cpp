@@ -68,7 +68,8 @@ class ColoursLearn : public testing::Test {
             info.seq = n;
             info.intrinsics = to_message(Intrinsics{});
             bus.set_time(info.utime);
-            publish(bus, channels::image_tap, self_contained_yuyv(info, "c", test::draw_pitch({}, n).image.view()));
+            publish(bus, channels::image_tap,
+                    self_contained_yuyv(info, "c", test::draw_pitch({}, n).image.view()));
         }
         return path("pitch.lcmlog");
     }
@@ -114,8 +115,10 @@ TEST_F(ColoursLearn, WhatCannotBeLearntFromIsSaidAndTheOldTableStays) {
     cv::imwrite(path("black.png"), cv::Mat::zeros(120, 160, CV_8UC3));
     EXPECT_THAT(error_of({path("black.png"), "-o", path("old.gmct")}), HasSubstr("shows a field"));
     EXPECT_THAT(error_of({path("none.png"), "-o", path("old.gmct")}), HasSubstr("no such file"));
-    EXPECT_THAT(error_of({write("text", "not a log at all"), "-o", path("old.gmct")}), HasSubstr("no picture"));
-    EXPECT_THAT(error_of({write("a.yuyv", "1234"), "--size", "640", "-o", path("old.gmct")}), HasSubstr("--size"));
+    EXPECT_THAT(error_of({write("text", "not a log at all"), "-o", path("old.gmct")}),
+                HasSubstr("no picture"));
+    EXPECT_THAT(error_of({write("a.yuyv", "1234"), "--size", "640", "-o", path("old.gmct")}),
+                HasSubstr("--size"));
     EXPECT_THAT(error_of({path("black.png"), "-o", path("no/folder/t.gmct")}), HasSubstr("--output"));
     EXPECT_THAT(error_of({path("black.png"), "--field", path("none.yaml"), "-o", path("old.gmct")}),
                 HasSubstr("none.yaml"));

@@ -45,7 +45,8 @@ class ColoursTeach : public testing::Test {
 };
 
 TEST_F(ColoursTeach, EachBoxTeachesItsClass) {
-    ASSERT_EQ(teach("# the carpet\np.png field 2 2 25 55\np.png goal 33 2 56 55  # a post\n\np.png unclassified 64 2 86 55\n"),
+    ASSERT_EQ(teach("# the carpet\np.png field 2 2 25 55\np.png goal 33 2 56 55  # a post\n\np.png "
+                    "unclassified 64 2 86 55\n"),
               0);
     const ColourTable table = load_colour_table(path("t.gmct"));
     const YuyvImage picture = read_image(path("p.png"));
@@ -58,9 +59,12 @@ TEST_F(ColoursTeach, EachBoxTeachesItsClass) {
 
 TEST_F(ColoursTeach, MistakesAreSaidAndTheOldTableStays) {
     std::ofstream(path("t.gmct")) << "the table in force";
-    EXPECT_THAT(error_of("p.png goal 33 2 56 55\np.png ball 33 2 56 55\n"), HasSubstr("were given the same colours"));
-    EXPECT_THAT(error_of("p.png goal 33 2 56\n"), HasSubstr("boxes.txt:1: \"p.png goal 33 2 56\" is not PICTURE"));
-    EXPECT_THAT(error_of("\np.png sky 1 1 2 2\n"), HasSubstr("boxes.txt:2: unknown class \"sky\"; valid: unclassified"));
+    EXPECT_THAT(error_of("p.png goal 33 2 56 55\np.png ball 33 2 56 55\n"),
+                HasSubstr("were given the same colours"));
+    EXPECT_THAT(error_of("p.png goal 33 2 56\n"),
+                HasSubstr("boxes.txt:1: \"p.png goal 33 2 56\" is not PICTURE"));
+    EXPECT_THAT(error_of("\np.png sky 1 1 2 2\n"),
+                HasSubstr("boxes.txt:2: unknown class \"sky\"; valid: unclassified"));
     EXPECT_THAT(error_of("p.png goal 5 5 2 9\n"), HasSubstr("upper left"));
     EXPECT_THAT(error_of("p.png goal 5 5 90 9\n"), HasSubstr("beyond the picture, which is 90x60"));
     EXPECT_THAT(error_of("q.png goal 5 5 9 9\n"), HasSubstr("boxes.txt:1: "));

@@ -1,8 +1,9 @@
+#include "tools/evaluate/colour_matrix.h"
+
 #include "core/imaging/colour_table_file.h"
 #include "core/imaging/conversion.h"
 #include "tests/core/colour_learning/drawn_pitch.h"
 #include "tests/support/evaluate_command.h"
-#include "tools/evaluate/colour_matrix.h"
 
 #include <string>
 #include <vector>
@@ -92,7 +93,8 @@ TEST(LearningHereWins, OnlyWhereItIsBetterThanEveryTableThatWasThere) {
     EXPECT_TRUE(wins({row("pictures", "here", 3), row("", "", 2), row("", "", 0)}));
     EXPECT_FALSE(wins({row("pictures", "here", 3), row("", "", 2), row("", "", 4)}));
     EXPECT_FALSE(wins({row("pictures", "here", 3), row("", "", 3)}));
-    EXPECT_FALSE(wins({row("pictures", "elsewhere", 3), row("", "", 2)})) << "learnt elsewhere is not learnt here";
+    EXPECT_FALSE(wins({row("pictures", "elsewhere", 3), row("", "", 2)}))
+        << "learnt elsewhere is not learnt here";
     EXPECT_FALSE(wins({row("annotations", "here", 3), row("", "", 2)})) << "nor is what a person marked";
 }
 

@@ -12,7 +12,8 @@
 namespace goalmouth {
 namespace {
 
-ImageSetResult evaluated(const std::filesystem::path& data, const std::string& set, bool without_labels = false) {
+ImageSetResult evaluated(const std::filesystem::path& data, const std::string& set,
+                         bool without_labels = false) {
     ImagesResult result{"", "", {}, {}};
     result.options.folder = data;
     result.options.sets = {set};

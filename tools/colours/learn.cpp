@@ -21,8 +21,8 @@ std::string provenance(const LearnColoursOptions& options, const std::vector<Nam
                        const Field& field) {
     std::string from = pictures.front().name;
     if (pictures.size() > 1) from += " … " + pictures.back().name;
-    return fmt::format("learnt without labels from {} pictures ({}) of a field with {} goals", pictures.size(),
-                       from, field.goal_colour) +
+    return fmt::format("learnt without labels from {} pictures ({}) of a field with {} goals",
+                       pictures.size(), from, field.goal_colour) +
            (options.field.empty() ? "" : " (" + options.field.filename().string() + ")");
 }
 
@@ -39,9 +39,9 @@ std::string classes_text(const LearntColours& learnt) {
             text += fmt::format("{:<14} not found\n", colour_names[c]);
             continue;
         }
-        text += fmt::format("{:<14} {:>9} {:>10.0f} {:>16} {:>9} {:>10} {:>11.2f}\n", colour_names[c], k.pictures,
-                            k.samples, fmt::format("{} {} {}", k.mean.y, k.mean.cb, k.mean.cr), percent(k.recall),
-                            percent(k.precision), k.confidence());
+        text += fmt::format("{:<14} {:>9} {:>10.0f} {:>16} {:>9} {:>10} {:>11.2f}\n", colour_names[c],
+                            k.pictures, k.samples, fmt::format("{} {} {}", k.mean.y, k.mean.cb, k.mean.cr),
+                            percent(k.recall), percent(k.precision), k.confidence());
     }
     return text;
 }
@@ -58,7 +58,8 @@ int learn_colours(const LearnColoursOptions& options) {
     expect_writable(options.output, "--output");
     if (!options.report.empty()) expect_report_folder(options.report);
     const Field field = options.field.empty() ? Field{} : load_parameters<Field>(options.field);
-    const std::vector<NamedPicture> pictures = learning_pictures(options.pictures, options.size, options.most);
+    const std::vector<NamedPicture> pictures =
+        learning_pictures(options.pictures, options.size, options.most);
     std::vector<YuyvImage> images;
     for (const NamedPicture& picture : pictures) images.push_back(picture.image);
 
@@ -67,7 +68,8 @@ int learn_colours(const LearnColoursOptions& options) {
         learnt = learn_without_labels(images, goal_paint(field.goal_colour), options.bits,
                                       options.name.empty() ? options.output.stem().string() : options.name);
     } catch (const NothingToLearn& error) {
-        throw ConfigurationError(std::string(error.what()) + "; " + options.output.string() + " is not written");
+        throw ConfigurationError(std::string(error.what()) + "; " + options.output.string() +
+                                 " is not written");
     }
     learnt.table.add_provenance(provenance(options, pictures, field));
     std::string confidences;
@@ -80,9 +82,10 @@ int learn_colours(const LearnColoursOptions& options) {
     save_colour_table(learnt.table, options.output);
     if (!options.report.empty()) write_learn_report(options, pictures, learnt);
 
-    fmt::print("{}: {}\n{} goalposts in them; {:.1f} % of the pixels of their first guessed colour were theirs\n{}",
-               options.output.string(), learnt.table.provenance().front(), posts_in(learnt),
-               100.0 * learnt.goal.salience, classes_text(learnt));
+    fmt::print(
+        "{}: {}\n{} goalposts in them; {:.1f} % of the pixels of their first guessed colour were theirs\n{}",
+        options.output.string(), learnt.table.provenance().front(), posts_in(learnt),
+        100.0 * learnt.goal.salience, classes_text(learnt));
     return 0;
 }
 

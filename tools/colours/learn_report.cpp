@@ -18,8 +18,8 @@ namespace goalmouth {
 namespace {
 
 constexpr int sheet_columns = 2;
-constexpr int sheet_width = 300;    // px of one picture on the sheet
-constexpr int cluster_side = 512;   // px
+constexpr int sheet_width = 300;   // px of one picture on the sheet
+constexpr int cluster_side = 512;  // px
 const cv::Scalar ink(230, 230, 230);
 const cv::Scalar found_post(255, 0, 255);
 
@@ -41,7 +41,8 @@ cv::Mat labels_picture(const cv::Mat& labels) {
 cv::Mat strip(const LearntPicture& learnt, const ColourTable& table) {
     cv::Mat picture = bgr_from_yuyv(learnt.scene.image.view());
     for (const PostOutline& post : learnt.scene.posts)
-        cv::polylines(picture, std::vector<std::vector<cv::Point>>{corners(post)}, true, found_post, 2, cv::LINE_AA);
+        cv::polylines(picture, std::vector<std::vector<cv::Point>>{corners(post)}, true, found_post, 2,
+                      cv::LINE_AA);
     cv::Mat beside;
     cv::hconcat(std::vector<cv::Mat>{picture, labels_picture(learnt.labels),
                                      segmentation_picture(learnt.scene.image.view(), table)},
@@ -57,8 +58,8 @@ cv::Mat contact_sheet(const std::vector<cv::Mat>& strips, const std::vector<Name
         for (std::size_t k = i; k < i + sheet_columns; ++k) {
             cv::Mat cell;
             const cv::Mat& strip = strips[std::min(k, strips.size() - 1)];
-            cv::resize(strip, cell, {3 * sheet_width, std::max(1, 3 * sheet_width * strip.rows / strip.cols)}, 0, 0,
-                       cv::INTER_AREA);
+            cv::resize(strip, cell, {3 * sheet_width, std::max(1, 3 * sheet_width * strip.rows / strip.cols)},
+                       0, 0, cv::INTER_AREA);
             cv::copyMakeBorder(cell, cell, caption, 2, 2, 6, cv::BORDER_CONSTANT);
             if (k < strips.size()) {
                 write(cell, pictures[k].name, {4, caption - 4});
@@ -81,8 +82,8 @@ cv::Mat contact_sheet(const std::vector<cv::Mat>& strips, const std::vector<Name
     return sheet;
 }
 
-/// How the samples of each class lie: left in the chroma plane (Cb to the right, Cr upwards), right luma (upwards)
-/// over the distance from grey. The more frequent a colour in its class, the brighter its dot.
+/// How the samples of each class lie: left in the chroma plane (Cb to the right, Cr upwards), right luma
+/// (upwards) over the distance from grey. The more frequent a colour in its class, the brighter its dot.
 cv::Mat cluster_picture(const std::vector<NamedPicture>& pictures, const LearntColours& learnt) {
     constexpr int cells = 128;
     std::array<std::array<cv::Mat, colour_count>, 2> counts;
@@ -124,7 +125,9 @@ cv::Mat cluster_picture(const std::vector<NamedPicture>& pictures, const LearntC
         }
         cv::resize(drawn, drawn, {cluster_side, cluster_side}, 0, 0, cv::INTER_NEAREST);
         cv::copyMakeBorder(drawn, drawn, 24, 4, 4, 4, cv::BORDER_CONSTANT);
-        write(drawn, whole.empty() ? "samples: Cb to the right, Cr upwards" : "samples: distance from grey to the right, Y upwards",
+        write(drawn,
+              whole.empty() ? "samples: Cb to the right, Cr upwards"
+                            : "samples: distance from grey to the right, Y upwards",
               {6, 16});
         if (whole.empty()) {
             whole = drawn;
@@ -138,16 +141,17 @@ cv::Mat cluster_picture(const std::vector<NamedPicture>& pictures, const LearntC
 Table class_table(const LearntColours& learnt) {
     Table table;
     table.caption = "What each class was learnt from, and how well pictures agree about it";
-    table.columns = {"class", "pictures", "pixels", "mean Y", "Cb", "Cr", "recall %", "precision %", "confidence"};
+    table.columns = {"class", "pictures", "pixels",      "mean Y",    "Cb",
+                     "Cr",    "recall %", "precision %", "confidence"};
     for (std::size_t c = 0; c < colour_count; ++c) {
         const LearntClass& k = learnt.classes[c];
         const double missing = std::nan("");
         const bool any = k.samples > 0.0;
-        table.rows.push_back({std::string(colour_names[c]), Cell(k.pictures, 0), Cell(k.samples, 0),
-                              Cell(any ? k.mean.y : missing, 0), Cell(any ? k.mean.cb : missing, 0),
-                              Cell(any ? k.mean.cr : missing, 0), Cell(k.recall ? 100.0 * *k.recall : missing, 1),
-                              Cell(k.precision ? 100.0 * *k.precision : missing, 1),
-                              Cell(any ? k.confidence() : missing, 2)});
+        table.rows.push_back(
+            {std::string(colour_names[c]), Cell(k.pictures, 0), Cell(k.samples, 0),
+             Cell(any ? k.mean.y : missing, 0), Cell(any ? k.mean.cb : missing, 0),
+             Cell(any ? k.mean.cr : missing, 0), Cell(k.recall ? 100.0 * *k.recall : missing, 1),
+             Cell(k.precision ? 100.0 * *k.precision : missing, 1), Cell(any ? k.confidence() : missing, 2)});
     }
     return table;
 }
@@ -170,17 +174,21 @@ void write_learn_report(const LearnColoursOptions& options, const std::vector<Na
     page.section("Classes");
     page.table(class_table(learnt));
     page.paragraph(
-        "Recall and precision: two tables are learnt from every other picture each and tried on the rest. They are "
-        "measured against what the pictures were taken to show, not against what a person says. Confidence is their "
+        "Recall and precision: two tables are learnt from every other picture each and tried on the rest. "
+        "They are "
+        "measured against what the pictures were taken to show, not against what a person says. Confidence "
+        "is their "
         "harmonic mean.");
     page.picture(page_picture(clusters, "How the samples lie", PictureFormat::png, 1100));
     page.picture(page_picture(slices, "The table, in slices of equal luma", PictureFormat::png, 1700));
     page.section("Pictures");
     page.paragraph(
-        "Left: the picture, with the posts it was taken to show. Middle: what it taught; violet taught nothing. "
+        "Left: the picture, with the posts it was taken to show. Middle: what it taught; violet taught "
+        "nothing. "
         "Right: what the table makes of it.");
     std::vector<PagePicture> shown;
-    for (std::size_t i = 0; i < strips.size(); ++i) shown.push_back(page_picture(strips[i], pictures[i].name));
+    for (std::size_t i = 0; i < strips.size(); ++i)
+        shown.push_back(page_picture(strips[i], pictures[i].name));
     page.pictures(shown);
     folder.write("index.html", page.html());
     folder.publish();

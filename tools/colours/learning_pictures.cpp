@@ -66,15 +66,16 @@ void read_log(const Source& source, const std::vector<bool>& wanted, std::size_t
     std::size_t i = first;
     each_frame(source.file, [&](const Frame& frame) {
         if (wanted[i++])
-            pictures.push_back({fs::path(source.file).filename().string() + ", frame " + std::to_string(frame.seq),
-                                copy_of(frame.pixels)});
+            pictures.push_back(
+                {fs::path(source.file).filename().string() + ", frame " + std::to_string(frame.seq),
+                 copy_of(frame.pixels)});
     });
 }
 
 }  // namespace
 
-std::vector<NamedPicture> learning_pictures(const std::vector<std::string>& named, std::optional<ImageSize> size,
-                                            std::size_t most) {
+std::vector<NamedPicture> learning_pictures(const std::vector<std::string>& named,
+                                            std::optional<ImageSize> size, std::size_t most) {
     std::vector<Source> sources;
     std::size_t all = 0;
     for (const std::string& file : picture_files(named)) {
@@ -92,8 +93,9 @@ std::vector<NamedPicture> learning_pictures(const std::vector<std::string>& name
             read_log(source, wanted, first, pictures);
         } else if (wanted[first]) {
             try {
-                pictures.push_back({fs::path(source.file).filename().string(),
-                                    read_image(source.file, is_raw_image_name(source.file) ? size : std::nullopt)});
+                pictures.push_back(
+                    {fs::path(source.file).filename().string(),
+                     read_image(source.file, is_raw_image_name(source.file) ? size : std::nullopt)});
             } catch (const FileError& error) {
                 throw ConfigurationError(error.what());
             }

@@ -19,7 +19,7 @@ struct NamedPicture {
 /// Pictures, folders of them and LCM logs (their self-contained frames), in the order they are named; of more
 /// than `most` in all, so many evenly spread. `size`: of raw pictures. Throws ConfigurationError where one
 /// cannot be read or a log holds none.
-std::vector<NamedPicture> learning_pictures(const std::vector<std::string>& named, std::optional<ImageSize> size,
-                                            std::size_t most);
+std::vector<NamedPicture> learning_pictures(const std::vector<std::string>& named,
+                                            std::optional<ImageSize> size, std::size_t most);
 
 }  // namespace goalmouth

@@ -33,11 +33,14 @@ ColourBox read_line(const std::string& text, const fs::path& file, int line) {
     std::string picture, name, rest;
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     if (!(words >> picture >> name >> x0 >> y0 >> x1 >> y1) || words >> rest)
-        throw fail("\"" + text + "\" is not PICTURE CLASS X0 Y0 X1 Y1, such as \"1.png goal 507 20 520 180\"");
+        throw fail("\"" + text +
+                   "\" is not PICTURE CLASS X0 Y0 X1 Y1, such as \"1.png goal 507 20 520 180\"");
     const auto found = std::find(colour_names.begin(), colour_names.end(), name);
     if (found == colour_names.end()) throw fail("unknown class \"" + name + "\"; valid: " + known_classes());
     if (x0 < 0 || y0 < 0 || x1 < x0 || y1 < y0)
-        throw fail("a box runs from its upper left corner to its lower right one, 0 0 being the picture's first pixel");
+        throw fail(
+            "a box runs from its upper left corner to its lower right one, 0 0 being the picture's first "
+            "pixel");
     return {file.parent_path() / picture, static_cast<Colour>(found - colour_names.begin()),
             cv::Rect(cv::Point(x0, y0), cv::Point(x1 + 1, y1 + 1)), line};
 }
@@ -81,12 +84,15 @@ void expect_own_colours(const Samples& samples, const ColourTable& table) {
     for (std::size_t c = 0; c < colour_count; ++c) {
         if (samples[c].empty()) continue;
         const auto of_class = shares(samples[c], table);
-        const auto most = static_cast<std::size_t>(std::max_element(of_class.begin(), of_class.end()) - of_class.begin());
+        const auto most =
+            static_cast<std::size_t>(std::max_element(of_class.begin(), of_class.end()) - of_class.begin());
         if (most == c || of_class[c] >= 0.5) continue;
-        throw ConfigurationError(fmt::format(
-            "{} and {} were given the same colours: {:.0f} % of the samples of {} come out as {}; the table is not "
-            "written",
-            colour_names[c], colour_names[most], 100.0 * of_class[most], colour_names[c], colour_names[most]));
+        throw ConfigurationError(
+            fmt::format("{} and {} were given the same colours: {:.0f} % of the samples of {} come out as "
+                        "{}; the table is not "
+                        "written",
+                        colour_names[c], colour_names[most], 100.0 * of_class[most], colour_names[c],
+                        colour_names[most]));
     }
 }
 
@@ -105,7 +111,8 @@ std::vector<ColourBox> read_colour_boxes(const fs::path& file) {
     for (std::string line; std::getline(lines, line);) {
         ++number;
         line = line.substr(0, line.find('#'));
-        if (line.find_first_not_of(" \t\r") != std::string::npos) boxes.push_back(read_line(line, file, number));
+        if (line.find_first_not_of(" \t\r") != std::string::npos)
+            boxes.push_back(read_line(line, file, number));
     }
     if (boxes.empty())
         throw ConfigurationError(file.string() + ": holds no box; a line is PICTURE CLASS X0 Y0 X1 Y1");
@@ -126,11 +133,12 @@ int teach_colours(const TeachColoursOptions& options) {
     ColourTable table =
         trainer.table(options.bits, options.name.empty() ? options.output.stem().string() : options.name);
     expect_own_colours(samples, table);
-    table.add_provenance(fmt::format("taught by the {} boxes of {}", boxes.size(), options.boxes.filename().string()));
+    table.add_provenance(
+        fmt::format("taught by the {} boxes of {}", boxes.size(), options.boxes.filename().string()));
     save_colour_table(table, options.output);
 
-    fmt::print("{}: {}\n{:<14} {:>9} {:>10}\n", options.output.string(), table.provenance().front(), "class", "pixels",
-               "come back");
+    fmt::print("{}: {}\n{:<14} {:>9} {:>10}\n", options.output.string(), table.provenance().front(), "class",
+               "pixels", "come back");
     for (std::size_t c = 0; c < colour_count; ++c) {
         if (samples[c].empty()) continue;
         fmt::print("{:<14} {:>9} {:>8.1f} %\n", colour_names[c], samples[c].size(),

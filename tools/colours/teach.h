@@ -20,7 +20,8 @@ struct ColourBox {
     int line = 0;  // of the file it was read from
 };
 
-/// A text file with a box a line: PICTURE CLASS X0 Y0 X1 Y1, corners inclusive, the picture relative to the file;
+/// A text file with a box a line: PICTURE CLASS X0 Y0 X1 Y1, corners inclusive, the picture relative to the
+/// file;
 /// "#" begins a remark. Throws ConfigurationError with file and line.
 std::vector<ColourBox> read_colour_boxes(const std::filesystem::path& file);
 

@@ -50,7 +50,8 @@ class Matrix {
                             set,
                             {}};
         options_.without_labels = without_labels;
-        const fs::path file = tables_.path() / (set + (without_labels ? "_pictures" : "_annotations") + ".gmct");
+        const fs::path file =
+            tables_.path() / (set + (without_labels ? "_pictures" : "_annotations") + ".gmct");
         for (const std::string& on : sets) {
             if (on != set && !fs::exists(file)) save_colour_table(table_of_set(options_, set), file);
             row.sets.push_back(evaluated(on, on == set ? fs::path() : file));
@@ -84,7 +85,8 @@ class Matrix {
 
 }  // namespace
 
-std::vector<ColourMatrixRow> colour_matrix(const ColourMatrixOptions& options, const ImagesProgress& progress) {
+std::vector<ColourMatrixRow> colour_matrix(const ColourMatrixOptions& options,
+                                           const ImagesProgress& progress) {
     for (const std::string& table : options.tables) given_table(table);  // says beforehand what is wrong
     const std::vector<std::string> sets = sets_of(options.images);
     if (progress.expect)
@@ -112,8 +114,9 @@ bool learning_here_wins(const std::vector<ColourMatrixRow>& rows, const std::str
 
 std::string colour_matrix_text(const std::vector<ColourMatrixRow>& rows,
                                const std::vector<std::string>& detectors) {
-    std::string text = "Recall / precision [%], posts found in pictures that show none; (*) the table never saw the "
-                       "picture it is judged on\n";
+    std::string text =
+        "Recall / precision [%], posts found in pictures that show none; (*) the table never saw the "
+        "picture it is judged on\n";
     if (rows.empty()) return text;
     std::size_t widest = 5;
     for (const ColourMatrixRow& row : rows) widest = std::max(widest, row.table.size());
@@ -125,20 +128,23 @@ std::string colour_matrix_text(const std::vector<ColourMatrixRow>& rows,
             text += fmt::format("{:<{}}  {:<12}", row.table, widest, graph_name(detector));
             for (const ImageSetResult& set : row.sets) {
                 const ImageScore s = set.score(detector);
-                text += fmt::format("  {:>24}", fmt::format("{}{:.1f} / {:.1f}, {} in {}",
-                                                            row.from == set.set ? "(*) " : "", 100.0 * s.recall(),
-                                                            100.0 * s.precision(), s.wrong_on_negatives, s.negatives));
+                text += fmt::format(
+                    "  {:>24}", fmt::format("{}{:.1f} / {:.1f}, {} in {}", row.from == set.set ? "(*) " : "",
+                                            100.0 * s.recall(), 100.0 * s.precision(), s.wrong_on_negatives,
+                                            s.negatives));
             }
             text += '\n';
         }
     }
-    const bool compared = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.learnt.empty(); });
+    const bool compared =
+        std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.learnt.empty(); });
     for (const ImageSetResult& set : rows.front().sets) {
         for (const std::string& detector : detectors) {
             if (!compared) continue;
-            text += fmt::format("{}, {}: learning from the set's own pictures {} every table that was there\n",
-                                set.set, graph_name(detector),
-                                learning_here_wins(rows, set.set, detector) ? "beats" : "does not beat");
+            text +=
+                fmt::format("{}, {}: learning from the set's own pictures {} every table that was there\n",
+                            set.set, graph_name(detector),
+                            learning_here_wins(rows, set.set, detector) ? "beats" : "does not beat");
         }
     }
     return text;

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "tools/goalmouth/verbs.h"
-
 #include "tools/evaluate/images_run.h"
+#include "tools/goalmouth/verbs.h"
 
 #include <string>
 #include <vector>
@@ -24,13 +23,14 @@ struct ColourMatrixRow {
     std::vector<ImageSetResult> sets;
 };
 
-/// How each table does on each set: those learnt from a set's annotations, those learnt from its pictures alone
-/// (on the set itself each without the pictures it is judged on, on others from all of them), and those that were
-/// there. Throws ConfigurationError.
-std::vector<ColourMatrixRow> colour_matrix(const ColourMatrixOptions& options, const ImagesProgress& progress);
+/// How each table does on each set: those learnt from a set's annotations, those learnt from its pictures
+/// alone (on the set itself each without the pictures it is judged on, on others from all of them), and those
+/// that were there. Throws ConfigurationError.
+std::vector<ColourMatrixRow> colour_matrix(const ColourMatrixOptions& options,
+                                           const ImagesProgress& progress);
 
-/// Whether, with this detector, the table learnt from the set's own pictures beats every table that was there,
-/// by the harmonic mean of recall and precision. True where there is none.
+/// Whether, with this detector, the table learnt from the set's own pictures beats every table that was
+/// there, by the harmonic mean of recall and precision. True where there is none.
 bool learning_here_wins(const std::vector<ColourMatrixRow>& rows, const std::string& set,
                         const std::string& detector);
 

@@ -69,7 +69,8 @@ void add_evaluate_colours(CLI::App& evaluate_verb, Action& action) {
     ImagesOptions& options = given->options.images;
     options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     CLI::App* verb = evaluate_verb.add_subcommand(
-        "colours", "Colour tables against each other, across venues: learnt with and without labels, and imported");
+        "colours",
+        "Colour tables against each other, across venues: learnt with and without labels, and imported");
     verb->add_option("DIR", options.folder, "folder of the pictures and of annotations.json")->required();
     verb->add_option("--annotations", options.annotations,
                      "annotation file (docs/colour_tables.md), its pictures' names counting from DIR");

@@ -123,14 +123,15 @@ void add_evaluate_images(CLI::App& evaluate_verb, Action& action) {
     verb->add_option("--detectors", given->detectors,
                      "graphs to compare: names in config/graphs or files, with commas between")
         ->capture_default_str();
-    verb->add_option(
-        "--colours", given->colours,
-        "colour table, or `learn`: tables are learnt from pictures as `goalmouth colours learn` does, without a "
-        "look at their annotations; else they are learnt from the annotations. Each without the pictures it is "
-        "for");
+    verb->add_option("--colours", given->colours,
+                     "colour table, or `learn`: tables are learnt from pictures as `goalmouth colours learn` "
+                     "does, without a "
+                     "look at their annotations; else they are learnt from the annotations. Each without the "
+                     "pictures it is "
+                     "for");
     CLI::Option* folds = verb->add_option("--folds", options.folds, "parts a set is split into for that")
-        ->check(CLI::Range(2, 1000).description(""))
-        ->capture_default_str();
+                             ->check(CLI::Range(2, 1000).description(""))
+                             ->capture_default_str();
     verb->add_option("--camera", given->cameras,
                      "FILE or SET=FILE, may be repeated: calibration; else config/cameras/SET.yaml where "
                      "there is one, else the graph's")

@@ -113,8 +113,8 @@ void expect_files(const std::map<std::string, fs::path>& files, const Annotation
     }
 }
 
-ColourTable learnt_table(std::span<const LabelledScene> scenes, const std::string& set, const std::string& name,
-                         const ImagesOptions& options, const fs::path& field) {
+ColourTable learnt_table(std::span<const LabelledScene> scenes, const std::string& set,
+                         const std::string& name, const ImagesOptions& options, const fs::path& field) {
     if (!options.without_labels) return learn_colours(scenes, {}, "set \"" + set + "\"").table(6, name);
     std::vector<YuyvImage> pictures;
     for (const LabelledScene& scene : scenes) pictures.push_back(scene.image);

@@ -136,7 +136,8 @@ TEST(ColourLearner, SaysWhatIsMissing) {
     DrawnPitch hall;
     hall.field = hall.lines = hall.ball = false;
     EXPECT_THAT(refusal(pictures_of(hall, 3)), HasSubstr("shows a field"));
-    EXPECT_THAT(refusal({yuyv_from_bgr(cv::Mat(1, 1, CV_8UC3, cv::Scalar(9, 9, 9)))}), HasSubstr("shows a field"));
+    EXPECT_THAT(refusal({yuyv_from_bgr(cv::Mat(1, 1, CV_8UC3, cv::Scalar(9, 9, 9)))}),
+                HasSubstr("shows a field"));
 }
 
 TEST(ColourLearner, PicturesOfAnySize) {

@@ -36,8 +36,9 @@ struct DrawnPicture {
     std::vector<cv::Rect> posts;  // from the crossbar's lower side to the foot
 };
 
-/// Picture number `n`: posts, ball, line and clutter stand elsewhere in each. A wall with things in orange, in blue
-/// and in the posts' own colour, which hang above the field and are no posts; the camera blurs and is noisy.
+/// Picture number `n`: posts, ball, line and clutter stand elsewhere in each. A wall with things in orange,
+/// in blue and in the posts' own colour, which hang above the field and are no posts; the camera blurs and is
+/// noisy.
 inline DrawnPicture draw_pitch(const DrawnPitch& pitch, unsigned n) {
     cv::RNG random(n + 1);
     const cv::Size size(640, 480);
@@ -52,7 +53,8 @@ inline DrawnPicture draw_pitch(const DrawnPitch& pitch, unsigned n) {
     for (int i = 0; i < pitch.things; ++i) {
         const std::array<cv::Vec3d, 4> colours = {cv::Vec3d{30, 90, 170}, cv::Vec3d{160, 80, 40},
                                                   cv::Vec3d{30, 30, 34}, pitch.goal};
-        fill({random.uniform(0, 560), random.uniform(0, border - 70), random.uniform(20, 80), random.uniform(10, 35)},
+        fill({random.uniform(0, 560), random.uniform(0, border - 70), random.uniform(20, 80),
+              random.uniform(10, 35)},
              colours[static_cast<std::size_t>(random.uniform(0, 4))], Colour::unclassified);
     }
     if (pitch.field) {

@@ -11,7 +11,8 @@ namespace {
 
 /// Each cube of 64 BGR levels has a class of its own as far as they go.
 Colour class_of(const cv::Vec3d& bgr) {
-    const int cube = static_cast<int>(bgr[0] / 64) + static_cast<int>(bgr[1] / 64) + static_cast<int>(bgr[2] / 64);
+    const int cube =
+        static_cast<int>(bgr[0] / 64) + static_cast<int>(bgr[1] / 64) + static_cast<int>(bgr[2] / 64);
     return static_cast<Colour>(cube % colour_count);
 }
 
@@ -23,7 +24,8 @@ ColourTable cubes() {
                 const double b = y + 1.772 * (cb - 128), r = y + 1.402 * (cr - 128);
                 const double g = y - 0.344136 * (cb - 128) - 0.714136 * (cr - 128);
                 if (std::min({b, g, r}) < 0 || std::max({b, g, r}) > 255) continue;
-                table.set({static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(cb), static_cast<std::uint8_t>(cr)},
+                table.set({static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(cb),
+                           static_cast<std::uint8_t>(cr)},
                           class_of({b, g, r}));
             }
     return table;
@@ -44,9 +46,9 @@ TEST(AdaptedTable, AnswersForTheColourUnderTheGainsAsBefore) {
             const cv::Vec3d now(was[0] * gains.blue, was[1] * gains.green, was[2] * gains.red);
             if (now[0] > 255 || now[1] > 255 || now[2] > 255) continue;
             ++asked;
-            right += table.at(ycbcr_from_bgr(cv::Vec3b(cv::saturate_cast<std::uint8_t>(now[0]),
-                                                       cv::saturate_cast<std::uint8_t>(now[1]),
-                                                       cv::saturate_cast<std::uint8_t>(now[2])))) == class_of(was);
+            right += table.at(ycbcr_from_bgr(cv::Vec3b(
+                         cv::saturate_cast<std::uint8_t>(now[0]), cv::saturate_cast<std::uint8_t>(now[1]),
+                         cv::saturate_cast<std::uint8_t>(now[2])))) == class_of(was);
         }
         EXPECT_GE(right, 0.99 * asked);
         EXPECT_GT(asked, 1000);

@@ -20,8 +20,8 @@
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
 #include <goalmouth/colour_gains_t.hpp>
+#include <gtest/gtest.h>
 
 namespace goalmouth {
 namespace {
@@ -99,8 +99,8 @@ class Robot {
 
   private:
     ModuleContext& context(const std::string& name) {
-        contexts_.push_back(std::make_unique<ModuleContext>(
-            ModuleContext{hub_.endpoint(name), *statuses_.emplace_back(std::make_unique<Status>()), name, 1, {}}));
+        contexts_.push_back(std::make_unique<ModuleContext>(ModuleContext{
+            hub_.endpoint(name), *statuses_.emplace_back(std::make_unique<Status>()), name, 1, {}}));
         return *contexts_.back();
     }
 
@@ -121,7 +121,8 @@ bool found(const cv::Rect& truth, const std::vector<Post>& posts) {
     return std::any_of(posts.begin(), posts.end(), [&](const Post& post) {
         const double left = 0.5 * (post.left_top + post.left_base).x();
         const double right = 0.5 * (post.right_top + post.right_base).x();
-        return std::abs(left - (truth.x - 0.5)) <= allowed && std::abs(right - (truth.br().x - 0.5)) <= allowed;
+        return std::abs(left - (truth.x - 0.5)) <= allowed &&
+               std::abs(right - (truth.br().x - 0.5)) <= allowed;
     });
 }
 
@@ -152,9 +153,9 @@ class ColoursAdapt : public testing::Test {
 
 /// Factors on levels: brightness × 0.3 and × 3 and colour temperatures as a camera of gamma 2.2 codes them.
 const std::vector<std::pair<std::string, test::Light>> lights = {
-    {"x0.3", {0.58, 0.58, 0.58}},       {"x0.5", {0.73, 0.73, 0.73}},     {"x1", {1.0, 1.0, 1.0}},
-    {"x2", {1.37, 1.37, 1.37}},         {"x3", {1.65, 1.65, 1.65}},       {"2700 K", {1.15, 0.95, 0.67}},
-    {"7500 K", {0.95, 1.0, 1.1}},       {"x0.3, 2700 K", {0.67, 0.55, 0.39}}};
+    {"x0.3", {0.58, 0.58, 0.58}}, {"x0.5", {0.73, 0.73, 0.73}},        {"x1", {1.0, 1.0, 1.0}},
+    {"x2", {1.37, 1.37, 1.37}},   {"x3", {1.65, 1.65, 1.65}},          {"2700 K", {1.15, 0.95, 0.67}},
+    {"7500 K", {0.95, 1.0, 1.1}}, {"x0.3, 2700 K", {0.67, 0.55, 0.39}}};
 
 TEST_F(ColoursAdapt, PostsAreFoundInOtherLight) {
     double with = 0.0, without = 0.0;
@@ -163,11 +164,13 @@ TEST_F(ColoursAdapt, PostsAreFoundInOtherLight) {
         Robot fixed(table(), false);
         const double on = found_after(adapting, light);
         const double off = found_after(fixed, light);
-        std::printf("%-14s posts found: %5.1f %% adapting, %5.1f %% without\n", name.c_str(), 100 * on, 100 * off);
+        std::printf("%-14s posts found: %5.1f %% adapting, %5.1f %% without\n", name.c_str(), 100 * on,
+                    100 * off);
         with += on / static_cast<double>(lights.size());
         without += off / static_cast<double>(lights.size());
     }
-    std::printf("all            posts found: %5.1f %% adapting, %5.1f %% without\n", 100 * with, 100 * without);
+    std::printf("all            posts found: %5.1f %% adapting, %5.1f %% without\n", 100 * with,
+                100 * without);
     EXPECT_GE(with, 0.97);
     EXPECT_LT(without, with);
 }
@@ -219,7 +222,8 @@ TEST_F(ColoursAdapt, FrozenItSaysNothing) {
 TEST_F(ColoursAdapt, WhatChangesAtOnceIsNotLight) {
     Robot robot(table(), true);
     for (int i = 0; i < 15; ++i) robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], {}));
-    for (int i = 0; i < 60; ++i) robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], {1.6, 1.6, 1.6}));
+    for (int i = 0; i < 60; ++i)
+        robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], {1.6, 1.6, 1.6}));
     EXPECT_TRUE(robot.said.empty());
 }
 

@@ -74,7 +74,8 @@ TEST_F(SegmentationModuleTest, TakesPixelsFromSharedMemoryAlike) {
 TEST_F(SegmentationModuleTest, AdaptsItsTableFromTheTimeTheGainsHoldFor) {
     SegmentationModule module(context, parameters);
     const auto has_goal = [](const segments_t& m) {
-        return std::find(m.colour.begin(), m.colour.end(), static_cast<std::int8_t>(Colour::goal)) != m.colour.end();
+        return std::find(m.colour.begin(), m.colour.end(), static_cast<std::int8_t>(Colour::goal)) !=
+               m.colour.end();
     };
     colour_gains_t gains{};
     gains.utime = scene_message(1).utime;
