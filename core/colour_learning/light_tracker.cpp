@@ -1,5 +1,7 @@
 #include "core/colour_learning/light_tracker.h"
 
+#include "core/imaging/rgb.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,11 +52,10 @@ std::optional<FieldLook> look_at_field(YuyvView image, const FieldBorder& border
             field += colour == Colour::field;
             if (colour != Colour::field && colour != Colour::unclassified) continue;
             ++taken;
-            const double cb = p.cb - 128.0;
-            const double cr = p.cr - 128.0;
-            rgb[0].add(p.y + 1.402 * cr);
-            rgb[1].add(p.y - 0.344136 * cb - 0.714136 * cr);
-            rgb[2].add(p.y + 1.772 * cb);
+            const Rgb levels = rgb_of(p);
+            rgb[0].add(levels.red);
+            rgb[1].add(levels.green);
+            rgb[2].add(levels.blue);
         }
     }
     if (taken == 0 || below < parameters.least_area * all || field < parameters.least_field * below)

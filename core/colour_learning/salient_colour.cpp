@@ -3,6 +3,7 @@
 #include "core/colour_learning/standing_posts.h"
 #include "core/imaging/colour_rules.h"
 #include "core/imaging/colour_table.h"
+#include "core/imaging/rgb.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +14,9 @@ namespace goalmouth {
 
 namespace {
 
-/// Mean colour of the lines, from neutral.
-struct Paint {
-    double y = 255.0;
-    double cb = 0.0;
-    double cr = 0.0;
-};
+/// Mean colour of the lines.
+using Paint = LumaChroma;
+constexpr Paint neutral_white{255.0, 0.0, 0.0};
 
 /// The colour in the middle of a cell, as it is and as it would be were the lines white.
 struct Cell {
@@ -31,17 +29,12 @@ using Slice = std::function<bool(const Cell&)>;
 /// Red, green and blue divided by what white has of them (von Kries). A channel of which the light has next
 /// to nothing is not blown up beyond fourfold: it is noise.
 ChromaPolar balanced(Ycbcr p, const Paint& white) {
-    const auto red = [](double y, double cr) { return y + 1.402 * cr; };
-    const auto green = [](double y, double cb, double cr) { return y - 0.344136 * cb - 0.714136 * cr; };
-    const auto blue = [](double y, double cb) { return y + 1.772 * cb; };
-    const double cb = p.cb - 128.0;
-    const double cr = p.cr - 128.0;
+    const Rgb paint = rgb_of(white.y, white.cb, white.cr);
     const auto share = [&](double of_white) { return std::max(of_white / white.y, 0.25); };
-    const double r = red(p.y, cr) / share(red(white.y, white.cr));
-    const double g = green(p.y, cb, cr) / share(green(white.y, white.cb, white.cr));
-    const double b = blue(p.y, cb) / share(blue(white.y, white.cb));
-    const double y = 0.299 * r + 0.587 * g + 0.114 * b;
-    return chroma_polar(y, (b - y) / 1.772, (r - y) / 1.402);
+    const Rgb seen = rgb_of(p);
+    const LumaChroma under_white = luma_chroma_of(
+        {seen.red / share(paint.red), seen.green / share(paint.green), seen.blue / share(paint.blue)});
+    return chroma_polar(under_white.y, under_white.cb, under_white.cr);
 }
 
 std::vector<Cell> cells(const Paint& white) {
@@ -162,7 +155,7 @@ std::optional<SalientGoal> find_goal(std::span<const YuyvImage> pictures, const 
     } else if (white) {
         slices = white_slices(*white);
     }
-    const std::vector<Cell> all = cells(white.value_or(Paint{}));
+    const std::vector<Cell> all = cells(white.value_or(neutral_white));
     std::optional<SalientGoal> best;
     for (const Slice& slice : slices) {
         SalientGoal goal = looked_at(pictures, table_of(slice, all, field));

@@ -1,49 +1,42 @@
 #include "core/imaging/colour_gains.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "core/imaging/rgb.h"
 
-#include <Eigen/Core>
-#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace goalmouth {
 
 namespace {
 
-/// (R, G, B) of (Y, Cb − 128, Cr − 128): ITU-R BT.601, full range.
-Eigen::Matrix3d rgb_of_ycbcr() {
-    Eigen::Matrix3d m;
-    m << 1.0, 0.0, 1.402,           //
-        1.0, -0.344136, -0.714136,  //
-        1.0, 1.772, 0.0;
-    return m;
-}
-
 std::uint8_t level(double value) {
     return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
+}
+
+LumaChroma undone(const Rgb& rgb, const ColourGains& gains) {
+    return luma_chroma_of({rgb.red / gains.red, rgb.green / gains.green, rgb.blue / gains.blue});
 }
 
 }  // namespace
 
 ColourTable adapted(const ColourTable& base, const ColourGains& gains) {
     if (gains == ColourGains{}) return base;
-    const Eigen::Matrix3d to_rgb = rgb_of_ycbcr();
-    const Eigen::Vector3d undo(1.0 / gains.red, 1.0 / gains.green, 1.0 / gains.blue);
-    const Eigen::Matrix3d back = to_rgb.inverse() * undo.asDiagonal() * to_rgb;
     ColourTable table(base.bits(), base.name());
     for (const std::string& line : base.provenance()) table.add_provenance(line);
     const int step = 1 << (8 - base.bits());
     const double centre = 0.5 * (step - 1);
+    // What was is linear in what is: the part that luma has in it, and that of chroma, each worked out once.
+    std::vector<LumaChroma> of_luma;
+    for (int y = 0; y < 256; y += step) of_luma.push_back(undone(rgb_of(y + centre, 0.0, 0.0), gains));
     std::size_t entry = 0;
     for (int cb = 0; cb < 256; cb += step) {
         for (int cr = 0; cr < 256; cr += step) {
-            const Eigen::Vector3d chroma =
-                back * Eigen::Vector3d(0.0, cb + centre - 128.0, cr + centre - 128.0);
-            for (int y = 0; y < 256; y += step, ++entry) {
-                const Eigen::Vector3d was = chroma + back.col(0) * (y + centre);
-                table.entries()[entry] = static_cast<std::uint8_t>(
-                    base.at({level(was[0]), level(was[1] + 128.0), level(was[2] + 128.0)}));
+            const LumaChroma chroma = undone(rgb_of(0.0, cb + centre - 128.0, cr + centre - 128.0), gains);
+            for (const LumaChroma& luma : of_luma) {
+                const Ycbcr was{level(chroma.y + luma.y), level(chroma.cb + luma.cb + 128.0),
+                                level(chroma.cr + luma.cr + 128.0)};
+                table.entries()[entry++] = static_cast<std::uint8_t>(base.at(was));
             }
         }
     }

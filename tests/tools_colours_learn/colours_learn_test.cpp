@@ -5,14 +5,14 @@
 #include "core/messaging/image_output.h"
 #include "core/messaging/log_bus.h"
 #include "core/messaging/typed.h"
-#include "core/process/configuration.h"
 #include "tests/core/colour_learning/drawn_pitch.h"
 #include "tests/support/data.h"
+#include "tests/support/files.h"
+#include "tests/support/refusal.h"
 #include "tools/colours/colours.h"
 #include "tools/colours/learning_pictures.h"
 
 #include <algorithm>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -39,16 +39,11 @@ class ColoursLearn : public testing::Test {
         return action();
     }
     static std::string error_of(const std::vector<std::string>& arguments) {
-        try {
-            learn(arguments);
-        } catch (const ConfigurationError& error) {
-            return error.what();
-        }
-        return "no error";
+        return test::message_of([&] { learn(arguments); });
     }
     std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
     std::string write(const std::string& name, const std::string& content) const {
-        std::ofstream(path(name)) << content;
+        test::write_text(path(name), content);
         return path(name);
     }
     /// A folder of drawn pictures.

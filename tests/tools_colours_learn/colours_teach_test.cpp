@@ -1,10 +1,10 @@
 #include "core/imaging/colour_table_file.h"
 #include "core/imaging/image_file.h"
-#include "core/process/configuration.h"
 #include "tests/support/data.h"
+#include "tests/support/files.h"
+#include "tests/support/refusal.h"
 #include "tools/colours/teach.h"
 
-#include <fstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -27,19 +27,14 @@ class ColoursTeach : public testing::Test {
     }
     std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
     int teach(const std::string& boxes) const {
-        std::ofstream(path("boxes.txt")) << boxes;
+        test::write_text(path("boxes.txt"), boxes);
         TeachColoursOptions options;
         options.boxes = path("boxes.txt");
         options.output = path("t.gmct");
         return teach_colours(options);
     }
     std::string error_of(const std::string& boxes) const {
-        try {
-            teach(boxes);
-        } catch (const ConfigurationError& error) {
-            return error.what();
-        }
-        return "no error";
+        return test::message_of([&] { teach(boxes); });
     }
     test::TemporaryFolder folder_;
 };
@@ -58,7 +53,7 @@ TEST_F(ColoursTeach, EachBoxTeachesItsClass) {
 }
 
 TEST_F(ColoursTeach, MistakesAreSaidAndTheOldTableStays) {
-    std::ofstream(path("t.gmct")) << "the table in force";
+    test::write_text(path("t.gmct"), "the table in force");
     EXPECT_THAT(error_of("p.png goal 33 2 56 55\np.png ball 33 2 56 55\n"),
                 HasSubstr("were given the same colours"));
     EXPECT_THAT(error_of("p.png goal 33 2 56\n"),
