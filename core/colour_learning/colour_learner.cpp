@@ -243,7 +243,7 @@ LearntColours learn_without_labels(std::span<const YuyvImage> pictures, GoalPain
     SceneColours colours = colours_of(scenes, images, *field, line);
     std::vector<cv::Mat> labels = labels_of(scenes, colours);
     for (int round = 0; round < rounds; ++round) {
-        auto posts = standing_posts(images, trained(lessons_of(pictures, labels)).table(6, name));
+        auto posts = standing_posts(images, trained(lessons_of(pictures, labels)).table(6, name), true);
         for (std::size_t i = 0; i < posts.size(); ++i)
             std::erase_if(posts[i], [&](const PostOutline& post) {
                 return !same_colour(images[i].view(), post, colours);

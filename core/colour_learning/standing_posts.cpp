@@ -26,8 +26,8 @@ RansacDetectorParameters strict_rules(double scale) {
     return p;
 }
 
-constexpr std::uint32_t unusable = post_flag::left_edge_missing | post_flag::right_edge_missing |
-                                   post_flag::fills_image | post_flag::cut_left | post_flag::cut_right;
+constexpr std::uint32_t cut =
+    post_flag::left_edge_missing | post_flag::right_edge_missing | post_flag::cut_left | post_flag::cut_right;
 
 cv::Point2d point(const Eigen::Vector2d& v) {
     return {v.x(), v.y()};
@@ -43,7 +43,7 @@ bool rises_above(const FieldBorder& border, const Post& post) {
 }  // namespace
 
 std::vector<std::vector<PostOutline>> standing_posts(std::span<const YuyvImage> pictures,
-                                                     const ColourTable& table) {
+                                                     const ColourTable& table, bool cut_ones) {
     constexpr double any_field_of_view = std::numbers::pi / 3.0;
     Segmenter segmenter(table);
     std::vector<std::vector<PostOutline>> found(pictures.size());
@@ -60,7 +60,8 @@ std::vector<std::vector<PostOutline>> standing_posts(std::span<const YuyvImage> 
         const Intrinsics camera = from_horizontal_fov(image.width, image.height, any_field_of_view);
         for (const Post& post :
              detect_posts_by_ransac(candidates, camera, 0.1, strict_rules(scale), random)) {
-            if (post.has(unusable) || !rises_above(border, post)) continue;
+            if (post.has(post_flag::fills_image) || (post.has(cut) && !cut_ones)) continue;
+            if (!rises_above(border, post)) continue;
             found[i].push_back(
                 {point(post.left_base), point(post.right_base), point(post.right_top), point(post.left_top)});
         }
