@@ -26,6 +26,7 @@ class ColourMatrix : public test::EvaluateCommand {
         annotations["images"] = Json::array();
         for (const std::string set : {"day", "warm"}) {
             test::DrawnPitch pitch;
+            pitch.things = 0;
             if (set == "warm") pitch.light = {1.1, 0.8, 0.3};
             for (unsigned n = 0; n < 4; ++n) {
                 const test::DrawnPicture picture = test::draw_pitch(pitch, n);
