@@ -131,13 +131,16 @@ class ColoursAdapt : public testing::Test {
     ColoursAdapt() { save_colour_table(venue().table, table()); }
     std::string table() const { return (folder_.path() / "t.gmct").string(); }
 
-    /// Light changes to `light` within eight seconds; then the share of the posts found in all views.
-    double found_after(Robot& robot, const test::Light& light) const {
+    /// Light changes to `light` within eight seconds.
+    static void change(Robot& robot, const test::Light& light) {
         for (int i = 0; i < 15; ++i) robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], {}));
         for (int i = 0; i < 110; ++i) {
             const double share = std::min(1.0, i / 80.0);
             robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], between(light, share)));
         }
+    }
+    /// The share of the posts found in all views in that light.
+    static double found_in(Robot& robot, const test::Light& light) {
         double all = 0.0, right = 0.0;
         for (std::size_t n = 0; n < views; ++n) {
             const std::vector<Post>& posts = robot.sees(lit(venue().bgr[n], light));
@@ -162,8 +165,9 @@ TEST_F(ColoursAdapt, PostsAreFoundInOtherLight) {
     for (const auto& [name, light] : lights) {
         Robot adapting(table(), true);
         Robot fixed(table(), false);
-        const double on = found_after(adapting, light);
-        const double off = found_after(fixed, light);
+        change(adapting, light);
+        const double on = found_in(adapting, light);
+        const double off = found_in(fixed, light);
         std::printf("%-14s posts found: %5.1f %% adapting, %5.1f %% without\n", name.c_str(), 100 * on,
                     100 * off);
         with += on / static_cast<double>(lights.size());
@@ -177,7 +181,7 @@ TEST_F(ColoursAdapt, PostsAreFoundInOtherLight) {
 
 TEST_F(ColoursAdapt, TheGainsAreThoseOfTheLight) {
     Robot robot(table(), true);
-    found_after(robot, {0.7, 0.6, 0.5});
+    change(robot, {0.7, 0.6, 0.5});
     ASSERT_FALSE(robot.said.empty());
     EXPECT_NEAR(robot.said.back().red, 0.7, 0.05);
     EXPECT_NEAR(robot.said.back().green, 0.6, 0.03);
@@ -189,8 +193,8 @@ TEST_F(ColoursAdapt, TheGainsAreThoseOfTheLight) {
 
 TEST_F(ColoursAdapt, TheSameFramesGiveTheSameMessages) {
     Robot one(table(), true), two(table(), true);
-    found_after(one, {0.8, 0.7, 0.6});
-    found_after(two, {0.8, 0.7, 0.6});
+    change(one, {0.8, 0.7, 0.6});
+    change(two, {0.8, 0.7, 0.6});
     ASSERT_EQ(one.said.size(), two.said.size());
     for (std::size_t i = 0; i < one.said.size(); ++i) {
         EXPECT_EQ(one.said[i].utime, two.said[i].utime);
@@ -215,7 +219,7 @@ TEST_F(ColoursAdapt, FrozenItSaysNothing) {
     ColoursAdaptModule::Parameters parameters;
     parameters.frozen = true;
     Robot robot(table(), true, parameters);
-    found_after(robot, {0.7, 0.7, 0.7});
+    change(robot, {0.7, 0.7, 0.7});
     EXPECT_TRUE(robot.said.empty());
 }
 
