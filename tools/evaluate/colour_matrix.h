@@ -29,10 +29,11 @@ struct ColourMatrixRow {
 std::vector<ColourMatrixRow> colour_matrix(const ColourMatrixOptions& options,
                                            const ImagesProgress& progress);
 
-/// Whether, with this detector, the table learnt from the set's own pictures beats every table that was
-/// there, by the harmonic mean of recall and precision. True where there is none.
-bool learning_here_wins(const std::vector<ColourMatrixRow>& rows, const std::string& set,
-                        const std::string& detector);
+/// How the table learnt from the set's own pictures does against the best of those that were there, with this
+/// detector, by the harmonic mean of recall and precision: 1 better, 0 level, -1 worse. 1 where there is
+/// none.
+int learning_here_against_others(const std::vector<ColourMatrixRow>& rows, const std::string& set,
+                                 const std::string& detector);
 
 std::string colour_matrix_text(const std::vector<ColourMatrixRow>& rows,
                                const std::vector<std::string>& detectors);
