@@ -87,16 +87,16 @@ ColourMatrixRow row(const std::string& learnt, const std::string& from, std::siz
     return {"table", learnt, from, {set}};
 }
 
-TEST(LearningHereWins, OnlyWhereItIsBetterThanEveryTableThatWasThere) {
-    const auto wins = [](const std::vector<ColourMatrixRow>& rows) {
-        return learning_here_wins(rows, "here", "ransac");
+TEST(LearningHere, IsHeldAgainstTheBestTableThatWasThere) {
+    const auto against = [](const std::vector<ColourMatrixRow>& rows) {
+        return learning_here_against_others(rows, "here", "ransac");
     };
-    EXPECT_TRUE(wins({row("pictures", "here", 3), row("", "", 2), row("", "", 0)}));
-    EXPECT_FALSE(wins({row("pictures", "here", 3), row("", "", 2), row("", "", 4)}));
-    EXPECT_FALSE(wins({row("pictures", "here", 3), row("", "", 3)}));
-    EXPECT_FALSE(wins({row("pictures", "elsewhere", 3), row("", "", 2)}))
+    EXPECT_EQ(against({row("pictures", "here", 3), row("", "", 2), row("", "", 0)}), 1);
+    EXPECT_EQ(against({row("pictures", "here", 3), row("", "", 2), row("", "", 4)}), -1);
+    EXPECT_EQ(against({row("pictures", "here", 3), row("", "", 3)}), 0);
+    EXPECT_EQ(against({row("pictures", "elsewhere", 3), row("", "", 2)}), -1)
         << "learnt elsewhere is not learnt here";
-    EXPECT_FALSE(wins({row("annotations", "here", 3), row("", "", 2)})) << "nor is what a person marked";
+    EXPECT_EQ(against({row("annotations", "here", 3), row("", "", 2)}), -1) << "nor is what a person marked";
 }
 
 }  // namespace

@@ -99,8 +99,8 @@ std::vector<ColourMatrixRow> colour_matrix(const ColourMatrixOptions& options,
     return rows;
 }
 
-bool learning_here_wins(const std::vector<ColourMatrixRow>& rows, const std::string& set,
-                        const std::string& detector) {
+int learning_here_against_others(const std::vector<ColourMatrixRow>& rows, const std::string& set,
+                                 const std::string& detector) {
     double here = 0.0, best = -1.0;
     for (const ColourMatrixRow& row : rows) {
         const ImageSetResult* result = of_set(row, set);
@@ -109,7 +109,7 @@ bool learning_here_wins(const std::vector<ColourMatrixRow>& rows, const std::str
         if (row.learnt == "pictures" && row.from == set) here = value;
         if (row.learnt.empty()) best = std::max(best, value);
     }
-    return here > best;
+    return here > best ? 1 : here < best ? -1 : 0;
 }
 
 std::string colour_matrix_text(const std::vector<ColourMatrixRow>& rows,
@@ -141,10 +141,12 @@ std::string colour_matrix_text(const std::vector<ColourMatrixRow>& rows,
     for (const ImageSetResult& set : rows.front().sets) {
         for (const std::string& detector : detectors) {
             if (!compared) continue;
-            text +=
-                fmt::format("{}, {}: learning from the set's own pictures {} every table that was there\n",
-                            set.set, graph_name(detector),
-                            learning_here_wins(rows, set.set, detector) ? "beats" : "does not beat");
+            const int against = learning_here_against_others(rows, set.set, detector);
+            text += fmt::format("{}, {}: learning from the set's own pictures {}\n", set.set,
+                                graph_name(detector),
+                                against > 0   ? "beats every table that was there"
+                                : against < 0 ? "does not beat every table that was there"
+                                              : "is level with the best table that was there");
         }
     }
     return text;
