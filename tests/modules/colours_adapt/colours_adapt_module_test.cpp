@@ -124,8 +124,7 @@ bool found(double true_left, double true_right, const std::vector<Post>& posts) 
     return std::any_of(posts.begin(), posts.end(), [&](const Post& post) {
         const double left = 0.5 * (post.left_top + post.left_base).x();
         const double right = 0.5 * (post.right_top + post.right_base).x();
-        return std::abs(left - (truth.x - 0.5)) <= allowed &&
-               std::abs(right - (truth.br().x - 0.5)) <= allowed;
+        return std::abs(left - true_left) <= allowed && std::abs(right - true_right) <= allowed;
     });
 }
 
