@@ -1,5 +1,6 @@
 #include "core/process/configuration.h"
 #include "core/process/text.h"
+#include "tools/colours/colours.h"
 #include "tools/evaluate/evaluate.h"
 #include "tools/goalmouth/verbs.h"
 
@@ -45,7 +46,7 @@ int main(int argc, char** argv) {
     goalmouth::add_detect_verb(app, action);
     goalmouth::add_evaluate_verb(app, action);
     goalmouth::add_bench_verb(app, action);
-    goalmouth::add_colours_verb(app, action);
+    goalmouth::add_colours_learn(*goalmouth::add_colours_verb(app, action), action);
     goalmouth::add_spy_verb(app, action);
     goalmouth::add_completion_verb(app, action);
     try {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/imaging/colour_regions.h"
 #include "core/imaging/colour_table.h"
 #include "core/imaging/yuyv.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,19 +19,14 @@ struct PostOutline {
     double width() const;
 };
 
+/// Base left, base right, top right, top left, to whole pixels: for cv::fillConvexPoly().
+std::vector<cv::Point> corners(const PostOutline& post);
+
 /// A picture with all its posts marked; in `ignore` nothing is known.
 struct LabelledScene {
     YuyvImage image;
     std::vector<PostOutline> posts;
     std::vector<cv::Rect> ignore;
-};
-
-/// Region of the chroma plane that a surface of one colour fills, as a map of 64×64 cells, [Cb / 4][Cr / 4].
-struct ChromaRegion {
-    cv::Mat cells;      // CV_8UC1, 255 inside
-    double cb = 128.0;  // its mode
-    double cr = 128.0;
-    bool holds(Ycbcr p) const { return cells.at<std::uint8_t>(p.cb >> 2, p.cr >> 2) != 0; }
 };
 
 /// The carpet's colour: the mode of green (hue 180…290°) among pixels under the posts' bases, or in the lower
@@ -41,11 +38,27 @@ ChromaRegion find_field_colour(std::span<const LabelledScene> scenes);
 /// without a post.
 ChromaRegion find_goal_colour(std::span<const LabelledScene> scenes);
 
+/// The pixels inside the outlines, a sixth of the width (and 1.5 px) away from each edge.
+std::vector<Ycbcr> pixels_in_posts(YuyvView image, std::span<const PostOutline> posts);
+
+/// What is known of a pitch's colours when its pictures are labelled.
+struct SceneColours {
+    ChromaRegion field;
+    ChromaRegion goal;
+    /// Without one: lines are pale (less than half the field's chroma) and brighter than the field around by
+    /// 25 levels. With it: brighter_than_field() and of this chroma.
+    std::optional<ChromaRegion> line;
+    /// Without one: balls are orange, between red and the goal's hue.
+    std::optional<ChromaRegion> ball;
+    double darkest_goal = 0.0;  // luma below which nothing looks like a goal
+};
+
 /// Labels of one scene, CV_8UC1: class numbers, or ColourTrainer::no_label. Goal: inside the outlines, a
 /// sixth of the width (and 1.5 px) away from each edge. Field: field-coloured below the upper rim of the
-/// large field-coloured area. Line: there, brighter than the field around and with little chroma. Ball:
-/// there, orange blobs. Unclassified: everything above that rim but posts and what is joined to them in their
-/// colour (crossbar, stanchions). The rest, and pixels at borders between these, teach nothing.
+/// large field-coloured area. Line: there, in the line's colour. Ball: there, blobs of the ball's colour.
+/// Unclassified: everything above that rim but posts and what is joined to them in their colour (crossbar,
+/// stanchions). The rest, and pixels at borders between these, teach nothing.
+cv::Mat label_scene(const LabelledScene& scene, const SceneColours& colours);
 cv::Mat label_scene(const LabelledScene& scene, const ChromaRegion& field, const ChromaRegion& goal);
 
 /// How a table does on one scene.
@@ -57,5 +70,7 @@ struct GoalColourScore {
     GoalColourScore& operator+=(const GoalColourScore& other);
 };
 GoalColourScore score_goal_colour(const LabelledScene& scene, const ColourTable& table);
+GoalColourScore score_goal_colour(YuyvView image, std::span<const PostOutline> posts,
+                                  std::span<const cv::Rect> ignore, const ColourTable& table);
 
 }  // namespace goalmouth

@@ -7,10 +7,12 @@
 namespace goalmouth {
 
 ChromaPolar chroma_polar(Ycbcr colour) {
-    const double cb = colour.cb - 128.0;
-    const double cr = colour.cr - 128.0;
+    return chroma_polar(colour.y, colour.cb - 128.0, colour.cr - 128.0);
+}
+
+ChromaPolar chroma_polar(double luma, double cb, double cr) {
     ChromaPolar polar;
-    polar.luma = colour.y;
+    polar.luma = luma;
     polar.chroma = std::hypot(cb, cr);
     polar.hue = std::atan2(cr, cb) * 180.0 / std::numbers::pi;
     if (polar.hue < 0.0) polar.hue += 360.0;

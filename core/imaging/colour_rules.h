@@ -25,6 +25,8 @@ struct ChromaPolar {
     double saturation = 0.0;  // chroma / max(luma, 1)
 };
 ChromaPolar chroma_polar(Ycbcr colour);
+/// The same of levels that are no whole numbers; chroma is from neutral.
+ChromaPolar chroma_polar(double luma, double cb, double cr);
 
 /// A box in colour space that belongs to one class. A bound left alone lets everything pass.
 struct ColourRule {

@@ -64,9 +64,12 @@ void ColourTrainer::add(YuyvView image, const cv::Mat& labels) {
     }
 }
 
+bool ColourTrainer::has_class() const {
+    return std::any_of(samples_.begin() + 1, samples_.end(), [](double n) { return n > 0.0; });
+}
+
 ColourTable ColourTrainer::table(int bits, const std::string& name) const {
-    if (std::none_of(samples_.begin() + 1, samples_.end(), [](double n) { return n > 0.0; }))
-        throw std::invalid_argument("no sample of any colour class");
+    if (!has_class()) throw std::invalid_argument("no sample of any colour class");
     const ColourTrainingParameters& p = parameters_;
     const std::array<double, colour_count> priors = {p.prior_unclassified, p.prior_field, p.prior_line,
                                                      p.prior_ball,         p.prior_goal,  p.prior_robot};

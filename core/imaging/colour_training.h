@@ -60,6 +60,9 @@ class ColourTrainer {
     /// Sum of weights of the samples of each class.
     const std::array<double, colour_count>& samples() const { return samples_; }
 
+    /// Whether any class but unclassified has samples.
+    bool has_class() const;
+
     /// Throws std::invalid_argument where no class but unclassified has samples.
     ColourTable table(int bits, const std::string& name) const;
 

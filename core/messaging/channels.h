@@ -11,6 +11,7 @@ inline constexpr const char* camera_info = "CAMERA_INFO";      // camera_info_t
 inline constexpr const char* segments = "SEGMENTS";            // segments_t
 inline constexpr const char* border = "BORDER";                // border_t
 inline constexpr const char* candidates = "CANDIDATES";        // candidates_t
+inline constexpr const char* colour_gains = "COLOUR_GAINS";    // colour_gains_t: how light has changed
 inline constexpr const char* posts = "POSTS";                  // posts_t
 inline constexpr const char* posts_refined = "POSTS_REFINED";  // posts_t, measured to a fraction of a pixel
 inline constexpr const char* refinement = "REFINEMENT";        // refinement_t: how they were measured

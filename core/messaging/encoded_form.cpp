@@ -129,6 +129,10 @@ bool lengths_add_up(const candidates_t&, std::span<const std::uint8_t> encoded) 
     return Walk(encoded).skip(2 * i64 + intrinsics).table(i8 + 3 * i16).table(2 * f32).table(2 * f32).done();
 }
 
+bool lengths_add_up(const colour_gains_t&, std::span<const std::uint8_t> encoded) {
+    return Walk(encoded).skip(3 * i64 + 3 * f64).done();
+}
+
 bool lengths_add_up(const post_t&, std::span<const std::uint8_t> encoded) {
     return Walk(encoded).skip(post).done();
 }

@@ -19,6 +19,7 @@ bool lengths_add_up(const image_slice_t&, std::span<const std::uint8_t> encoded)
 bool lengths_add_up(const segments_t&, std::span<const std::uint8_t> encoded);
 bool lengths_add_up(const border_t&, std::span<const std::uint8_t> encoded);
 bool lengths_add_up(const candidates_t&, std::span<const std::uint8_t> encoded);
+bool lengths_add_up(const colour_gains_t&, std::span<const std::uint8_t> encoded);
 bool lengths_add_up(const post_t&, std::span<const std::uint8_t> encoded);
 bool lengths_add_up(const posts_t&, std::span<const std::uint8_t> encoded);
 bool lengths_add_up(const distance_cue_t&, std::span<const std::uint8_t> encoded);

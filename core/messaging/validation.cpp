@@ -216,6 +216,14 @@ Problem problem(const border_t& m) {
     return {};
 }
 
+Problem problem(const colour_gains_t& m) {
+    if (auto cause = frame_problem(m.utime, m.seq)) return cause;
+    if (m.from_utime < m.utime) return "gains that hold before the frame they follow from";
+    for (const double gain : {m.red, m.green, m.blue})
+        if (!finite(gain) || gain < 0.05 || gain > 20.0) return "an impossible gain";
+    return {};
+}
+
 Problem problem(const candidates_t& m) {
     if (auto cause = frame_problem(m.utime, m.seq)) return cause;
     if (auto cause = problem(m.intrinsics)) return cause;

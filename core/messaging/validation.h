@@ -6,6 +6,7 @@
 #include <goalmouth/border_t.hpp>
 #include <goalmouth/camera_info_t.hpp>
 #include <goalmouth/candidates_t.hpp>
+#include <goalmouth/colour_gains_t.hpp>
 #include <goalmouth/image_slice_t.hpp>
 #include <goalmouth/image_t.hpp>
 #include <goalmouth/intrinsics_t.hpp>
@@ -31,6 +32,7 @@ std::optional<std::string> problem(const image_slice_t& m);
 std::optional<std::string> problem(const segments_t& m);
 std::optional<std::string> problem(const border_t& m);
 std::optional<std::string> problem(const candidates_t& m);
+std::optional<std::string> problem(const colour_gains_t& m);
 std::optional<std::string> problem(const post_t& m);
 std::optional<std::string> problem(const posts_t& m);
 std::optional<std::string> problem(const distance_cue_t& m);

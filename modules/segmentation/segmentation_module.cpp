@@ -1,31 +1,18 @@
 #include "modules/segmentation/segmentation_module.h"
 
 #include "core/conversion/camera_pose.h"
+#include "core/conversion/colour_gains.h"
 #include "core/conversion/intrinsics.h"
 #include "core/conversion/segments.h"
-#include "core/imaging/colour_table_file.h"
-#include "core/imaging/file_error.h"
 #include "core/messaging/channels.h"
 #include "core/messaging/typed.h"
-#include "core/process/configuration.h"
+#include "core/process/colour_table_parameter.h"
 
 namespace goalmouth {
 namespace {
 
 constexpr std::size_t poses_kept = 64;
-
-ColourTable load_table(const std::string& file) {
-    if (file.empty()) {
-        throw ConfigurationError(
-            "segmentation: no colour table: set `colours` to a .gmct file, such as "
-            "config/colours/simulator.gmct");
-    }
-    try {
-        return load_colour_table(file);
-    } catch (const FileError& error) {
-        throw ConfigurationError(std::string("segmentation: ") + error.what());
-    }
-}
+constexpr std::size_t gains_kept = 64;
 
 }  // namespace
 
@@ -36,18 +23,21 @@ ModuleInfo SegmentationModule::info() {
              {channels::image_tap, "image_t", "self-contained frames, for replay", true},
              {channels::image_slices, "image_slice_t", "self-contained frames in pieces, for replay", true},
              {channels::kinematics, "kinematics_t",
-              "camera pose, where scan-lines are equidistant on the field", true}},
+              "camera pose, where scan-lines are equidistant on the field", true},
+             {channels::colour_gains, "colour_gains_t",
+              "how light has changed since the table was made; without it the table stays as it is", true}},
             {{channels::segments, "segments_t", "colour segments of each frame"}}};
 }
 
 SegmentationModule::SegmentationModule(ModuleContext& context, const Parameters& parameters)
-    : SegmentationModule(context, parameters, load_table(parameters.colours)) {}
+    : SegmentationModule(context, parameters, colour_table_parameter(parameters.colours, info().executable)) {
+}
 
 SegmentationModule::SegmentationModule(ModuleContext& context, const Parameters& parameters,
                                        const ColourTable& table)
     : context_(context),
-      table_name_(table.name()),
-      segmenter_(table),
+      table_(table),
+      segmenter_(std::in_place, table),
       layout_(parameters.scan_lines),
       images_(context.bus, context.channel(channels::image), context.channel(channels::image_tap),
               context.channel(channels::image_slices), [this](const Frame& frame) { segment(frame); }) {
@@ -56,6 +46,11 @@ SegmentationModule::SegmentationModule(ModuleContext& context, const Parameters&
                                 poses_[message.utime] = camera_pose(message);
                                 if (poses_.size() > poses_kept) poses_.erase(poses_.begin());
                             });
+    subscribe<colour_gains_t>(context.bus, context.channel(channels::colour_gains),
+                              [this](const colour_gains_t& message) {
+                                  gains_[message.from_utime] = from_message(message);
+                                  if (gains_.size() > gains_kept) gains_.erase(gains_.begin());
+                              });
 }
 
 std::optional<Eigen::Isometry3d> SegmentationModule::pose_at(std::int64_t utime) const {
@@ -64,16 +59,25 @@ std::optional<Eigen::Isometry3d> SegmentationModule::pose_at(std::int64_t utime)
     return std::prev(after)->second;
 }
 
+void SegmentationModule::adapt_to(std::int64_t utime) {
+    const auto after = gains_.upper_bound(utime);
+    const ColourGains gains = after == gains_.begin() ? ColourGains{} : std::prev(after)->second;
+    if (gains == applied_) return;
+    segmenter_.emplace(adapted(table_, gains));
+    applied_ = gains;
+}
+
 void SegmentationModule::segment(const Frame& frame) {
     context_.status.dropped(frame.dropped_before);
     const Intrinsics camera = from_message(frame.intrinsics);
     const ScanLayout& layout = layout_.at(camera, pose_at(frame.utime));
-    const Segments& segments = segmenter_.segment(frame.pixels, layout);
+    adapt_to(frame.utime);
+    const Segments& segments = segmenter_->segment(frame.pixels, layout);
     if (!frame.still_valid()) {
         context_.status.dropped(1);
         return;
     }
-    const segments_t message = to_message(segments, frame.utime, frame.seq, camera, table_name_);
+    const segments_t message = to_message(segments, frame.utime, frame.seq, camera, table_.name());
     context_.status.count("lines_left_out", message.lines_left_out);
     publish(context_.bus, context_.channel(channels::segments), message);
     context_.status.output(frame.utime);

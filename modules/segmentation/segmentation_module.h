@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/imaging/colour_gains.h"
 #include "core/imaging/colour_table.h"
 #include "core/messaging/image_input.h"
 #include "core/process/module.h"
@@ -28,11 +29,14 @@ class SegmentationModule : public Module {
   private:
     SegmentationModule(ModuleContext& context, const Parameters& parameters, const ColourTable& table);
     void segment(const Frame& frame);
+    void adapt_to(std::int64_t utime);
     std::optional<Eigen::Isometry3d> pose_at(std::int64_t utime) const;
 
     ModuleContext& context_;
-    std::string table_name_;
-    Segmenter segmenter_;
+    ColourTable table_;
+    std::map<std::int64_t, ColourGains> gains_;  // by the time from which they hold, the latest few
+    ColourGains applied_;
+    std::optional<Segmenter> segmenter_;  // with table_ under applied_
     LatestScanLayout layout_;
     std::map<std::int64_t, Eigen::Isometry3d> poses_;  // T_BC by utime, the latest few
     ImageInput images_;

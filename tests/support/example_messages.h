@@ -106,6 +106,17 @@ inline border_t example_border() {
     return m;
 }
 
+inline colour_gains_t example_gains() {
+    colour_gains_t m{};
+    m.utime = 1'000'000;
+    m.seq = 7;
+    m.from_utime = 1'300'000;
+    m.red = 1.1;
+    m.green = 0.9;
+    m.blue = 0.6;
+    return m;
+}
+
 inline candidates_t example_candidates() {
     candidates_t m{};
     m.utime = 1'000'000;
@@ -306,6 +317,7 @@ void for_each_example(F f) {
     f(example_segments());
     f(example_border());
     f(example_candidates());
+    f(example_gains());
     f(example_posts());
     f(example_refinement());
     f(example_odometry());

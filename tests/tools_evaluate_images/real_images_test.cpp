@@ -12,11 +12,13 @@
 namespace goalmouth {
 namespace {
 
-ImageSetResult evaluated(const std::filesystem::path& data, const std::string& set) {
+ImageSetResult evaluated(const std::filesystem::path& data, const std::string& set,
+                         bool without_labels = false) {
     ImagesResult result{"", "", {}, {}};
     result.options.folder = data;
     result.options.sets = {set};
     result.options.detectors = {"ransac", "tuned"};
+    result.options.without_labels = without_labels;
     result.options.jobs = 2;
     result.sets = evaluate_images(result.options);
     std::printf("%s", images_text(result).c_str());
@@ -47,6 +49,24 @@ TEST(RealImages, NaoUva2013) {
     EXPECT_EQ(set.score("ransac").negatives, 12);
     expect_at_least(set.score("ransac"), 0.88, 0.94);
     expect_at_least(set.score("tuned"), 0.94, 0.94);
+}
+
+// Tables that nobody marked anything for.
+
+TEST(RealImages, DarwinOp2014WithoutLabels) {
+    GOALMOUTH_NEEDS_DATA(data);
+    const ImageSetResult set = evaluated(data, "darwin_op_2014", true);
+    expect_at_least(set.score("ransac"), 0.86, 0.86);
+    expect_at_least(set.score("tuned"), 0.93, 0.93);
+    EXPECT_EQ(set.score("ransac").wrong_on_negatives, 0);
+}
+
+TEST(RealImages, NaoUva2013WithoutLabels) {
+    GOALMOUTH_NEEDS_DATA(data);
+    const ImageSetResult set = evaluated(data, "nao_uva_2013", true);
+    expect_at_least(set.score("ransac"), 0.88, 0.94);
+    expect_at_least(set.score("tuned"), 0.88, 0.88);
+    EXPECT_EQ(set.score("ransac").wrong_on_negatives, 0);
 }
 
 const DistanceGroup* group_of(const std::vector<DistanceGroup>& groups, const std::string& detector,

@@ -1,5 +1,6 @@
 #include "tools/evaluate/evaluate.h"
 
+#include "tools/evaluate/colour_matrix.h"
 #include "tools/evaluate/images.h"
 #include "tools/evaluate/localisation.h"
 
@@ -13,6 +14,7 @@ void add_evaluate_verb(CLI::App& app, Action& action) {
     add_evaluate_paper(*verb, action);
     add_evaluate_localisation(*verb, action);
     add_evaluate_images(*verb, action);
+    add_evaluate_colours(*verb, action);
     add_evaluate_merge(*verb, action);
 }
 

@@ -19,12 +19,15 @@
 namespace goalmouth {
 namespace {
 
+constexpr const char* learn_word = "learn";
+
 struct Given {
     ImagesOptions options;
     std::string detectors = "ransac,refined,tuned,histogram";
     std::vector<std::string> cameras;
     std::vector<std::string> fields;
     std::vector<std::string> poses;
+    std::string colours;
     std::string json;
     std::filesystem::path report;
 };
@@ -34,7 +37,7 @@ std::string command_of(const Given& given) {
     const ImagesOptions& o = given.options;
     line.word(o.folder.string()).option("--annotations", o.annotations.string());
     for (const std::string& set : o.sets) line.option("--set", set);
-    line.option("--detectors", given.detectors).option("--colours", o.colours.string());
+    line.option("--detectors", given.detectors).option("--colours", given.colours);
     if (o.colours.empty()) line.option("--folds", std::to_string(o.folds));
     for (const std::string& camera : given.cameras) line.option("--camera", camera);
     for (const std::string& field : given.fields) line.option("--field", field);
@@ -74,6 +77,8 @@ void take_lists(Given& given) {
             throw ConfigurationError(std::string("--poses: ") + error.what());
         }
     }
+    given.options.without_labels = given.colours == learn_word;
+    if (!given.options.without_labels) given.options.colours = given.colours;
     if (!given.options.colours.empty() && !std::filesystem::exists(given.options.colours))
         throw ConfigurationError("--colours: there is no file " + given.options.colours.string());
 }
@@ -118,13 +123,15 @@ void add_evaluate_images(CLI::App& evaluate_verb, Action& action) {
     verb->add_option("--detectors", given->detectors,
                      "graphs to compare: names in config/graphs or files, with commas between")
         ->capture_default_str();
-    CLI::Option* colours = verb->add_option(
-        "--colours", options.colours,
-        "colour table; else tables are learnt from the annotations, each without the pictures it is for");
-    verb->add_option("--folds", options.folds, "parts a set is split into for that")
-        ->check(CLI::Range(2, 1000).description(""))
-        ->excludes(colours)
-        ->capture_default_str();
+    verb->add_option("--colours", given->colours,
+                     "colour table, or `learn`: tables are learnt from pictures as `goalmouth colours learn` "
+                     "does, without a "
+                     "look at their annotations; else they are learnt from the annotations. Each without the "
+                     "pictures it is "
+                     "for");
+    CLI::Option* folds = verb->add_option("--folds", options.folds, "parts a set is split into for that")
+                             ->check(CLI::Range(2, 1000).description(""))
+                             ->capture_default_str();
     verb->add_option("--camera", given->cameras,
                      "FILE or SET=FILE, may be repeated: calibration; else config/cameras/SET.yaml where "
                      "there is one, else the graph's")
@@ -148,7 +155,11 @@ void add_evaluate_images(CLI::App& evaluate_verb, Action& action) {
     verb->footer(
         "Exit code: 0 all went well, 2 the command line, the annotations or a picture is wrong, 130 "
         "interrupted.");
-    verb->callback([given, &action] { action = [given] { return evaluate(*given); }; });
+    verb->callback([given, folds, &action] {
+        if (folds->count() > 0 && !given->colours.empty() && given->colours != learn_word)
+            throw CLI::ExcludesError("--folds", "--colours TABLE");
+        action = [given] { return evaluate(*given); };
+    });
 }
 
 }  // namespace goalmouth

@@ -184,7 +184,7 @@ ordered_json images_json(const ImagesResult& result) {
                         {"floor_px", hand_marked_rule.floor},
                         {"coverage", hand_marked_rule.coverage}}}};
     if (options.colours.empty()) {
-        j["colours"] = {{"folds", options.folds}};
+        j["colours"] = {{"folds", options.folds}, {"without_labels", options.without_labels}};
     } else {
         j["colours"] = {{"table", options.colours.string()}};
     }

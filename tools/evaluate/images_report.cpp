@@ -156,9 +156,10 @@ class Overlays {
 std::string colours_sentence(const ImagesOptions& options) {
     if (!options.colours.empty()) return "The colour table is " + options.colours.filename().string() + ".";
     return fmt::format(
-        "Colour tables were learnt from the annotations of the same set in {} folds: the table a picture is "
-        "judged with never saw it.",
-        options.folds);
+        "Colour tables were learnt from {} of the same set in {} folds: the table a picture is judged with "
+        "never "
+        "saw it.",
+        options.without_labels ? "pictures, without their annotations," : "the annotations", options.folds);
 }
 
 }  // namespace

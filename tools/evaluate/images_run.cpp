@@ -1,5 +1,6 @@
 #include "tools/evaluate/images_run.h"
 
+#include "core/colour_learning/colour_learner.h"
 #include "core/imaging/colour_table_file.h"
 #include "core/imaging/file_error.h"
 #include "core/process/configuration.h"
@@ -112,17 +113,30 @@ void expect_files(const std::map<std::string, fs::path>& files, const Annotation
     }
 }
 
+ColourTable learnt_table(std::span<const LabelledScene> scenes, const std::string& set,
+                         const std::string& name, const ImagesOptions& options, const fs::path& field) {
+    if (!options.without_labels) return learn_colours(scenes, {}, "set \"" + set + "\"").table(6, name);
+    std::vector<YuyvImage> pictures;
+    for (const LabelledScene& scene : scenes) pictures.push_back(scene.image);
+    const Field goals = field.empty() ? Field{} : load_parameters<Field>(field);
+    try {
+        return learn_without_labels(pictures, goal_paint(goals.goal_colour), 6, name).table;
+    } catch (const NothingToLearn& error) {
+        throw ConfigurationError("set \"" + set + "\": " + error.what());
+    }
+}
+
 void learn_tables(const std::vector<LabelledScene>& scenes, const std::string& set,
-                  const ImagesOptions& options, const TemporaryFolder& folder) {
+                  const ImagesOptions& options, const fs::path& field, const TemporaryFolder& folder) {
     for_each_in_parallel(
         static_cast<std::size_t>(options.folds), options.jobs, [&](std::size_t, std::size_t fold) {
             const Fold left_out{static_cast<int>(fold), options.folds};
             std::vector<LabelledScene> others;
             for (std::size_t i = 0; i < scenes.size(); ++i)
                 if (!left_out.holds(i)) others.push_back(scenes[i]);
-            const ColourTrainer trainer = learn_colours(others, {}, "set \"" + set + "\"");
-            save_colour_table(trainer.table(6, set + " without fold " + std::to_string(fold)),
-                              table_of_fold(folder, left_out.index));
+            save_colour_table(
+                learnt_table(others, set, set + " without fold " + std::to_string(fold), options, field),
+                table_of_fold(folder, left_out.index));
         });
 }
 
@@ -167,7 +181,7 @@ ImageSetResult evaluate_set(const std::string& set, const std::vector<AnnotatedI
     std::vector<LabelledScene> scenes;
     for (const AnnotatedImage& image : annotated) scenes.push_back(read_scene(image, annotations));
     const TemporaryFolder tables;
-    if (options.colours.empty()) learn_tables(scenes, set, options, tables);
+    if (options.colours.empty()) learn_tables(scenes, set, options, result.field, tables);
 
     std::vector<Chains> workers;
     for (int i = 0; i < options.jobs; ++i) workers.emplace_back(options, result.camera, result.field, tables);
@@ -219,6 +233,26 @@ std::vector<DistanceGroup> ImageSetResult::distances(const std::vector<std::stri
         for (const MeasuredGroup& group : groups(measured(detector)))
             all.push_back({detector, group.name, distance_samples(group.posts)});
     return all;
+}
+
+std::vector<std::string> sets_of(const ImagesOptions& options) {
+    return chosen_sets(options, read_annotations(options));
+}
+
+std::size_t pictures_of(const ImagesOptions& options) {
+    const Annotations annotations = read_annotations(options);
+    std::size_t count = 0;
+    for (const std::string& set : chosen_sets(options, annotations))
+        count += annotations.usable_pictures(set).size();
+    return count;
+}
+
+ColourTable table_of_set(const ImagesOptions& options, const std::string& set) {
+    const Annotations annotations = read_annotations(options);
+    std::vector<LabelledScene> scenes;
+    for (const AnnotatedImage& image : annotations.usable_pictures(set))
+        scenes.push_back(read_scene(image, annotations));
+    return learnt_table(scenes, set, set, options, field_of(options, set));
 }
 
 std::vector<ImageSetResult> evaluate_images(const ImagesOptions& options, const ImagesProgress& progress) {

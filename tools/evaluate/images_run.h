@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/imaging/colour_table.h"
 #include "tools/evaluate/images_measures.h"
 #include "tools/evaluate/images_score.h"
 
@@ -17,7 +18,8 @@ struct ImagesOptions {
     std::filesystem::path annotations;  // "": annotations.json in the folder
     std::vector<std::string> sets;      // empty: every one
     std::vector<std::string> detectors{"ransac", "refined", "tuned", "histogram"};  // graphs
-    std::filesystem::path colours;  // "": tables are learnt from the other folds of the same set
+    std::filesystem::path colours;  // "": tables are learnt from the other folds of the same set …
+    bool without_labels = false;    // … and whether without looking at their annotations
     int folds = 4;
     std::map<std::string, std::filesystem::path> cameras;  // by set; "" for all others
     std::map<std::string, std::filesystem::path> fields;   // likewise
@@ -54,6 +56,13 @@ struct ImagesProgress {
     std::function<void()> step;                        // after each picture; from any thread
     std::function<bool()> stop;                        // no further picture is begun
 };
+
+/// The sets `options` asks for, and how many pictures they have in all. Throw as evaluate_images().
+std::vector<std::string> sets_of(const ImagesOptions& options);
+std::size_t pictures_of(const ImagesOptions& options);
+
+/// A table learnt from all pictures of a set, for others: from its annotations, or `without_labels`.
+ColourTable table_of_set(const ImagesOptions& options, const std::string& set);
 
 /// Runs every detector on every picture of the sets. A picture's result depends on nothing but the picture,
 /// its table and its camera. Throws ConfigurationError for every mistake in the options and the files.

@@ -6,6 +6,7 @@
 #include "core/process/configuration.h"
 #include "tools/goalmouth/colours_rules.h"
 #include "tools/goalmouth/colours_train.h"
+#include "tools/goalmouth/file_action.h"
 #include "tools/goalmouth/output.h"
 #include "tools/goalmouth/verbs.h"
 
@@ -34,22 +35,6 @@ struct Options {
     std::string fold;
     TrainColoursOptions train;
 };
-
-/// A file the command line named and that cannot be used is the user's to mend.
-template <class F>
-void sets_action(CLI::App* command, Action& action, F run) {
-    command->callback([&action, run] {
-        action = [run] {
-            try {
-                return run();
-            } catch (const FileError& error) {
-                throw ConfigurationError(error.what());
-            } catch (const fs::filesystem_error& error) {
-                throw ConfigurationError(error.what());
-            }
-        };
-    });
-}
 
 void print_table(const ColourTable& table) {
     std::printf("name     %s\nbits     %d (%zu entries)\n", table.name().c_str(), table.bits(),
@@ -244,7 +229,7 @@ void add_convert(CLI::App& verb, Action& action) {
 
 }  // namespace
 
-void add_colours_verb(CLI::App& app, Action& action) {
+CLI::App* add_colours_verb(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand(
         "colours", "Make, show and convert colour tables, and see what they make of images");
     verb->require_subcommand(1);
@@ -255,6 +240,7 @@ void add_colours_verb(CLI::App& app, Action& action) {
     add_train(*verb, action);
     add_import(*verb, action);
     add_convert(*verb, action);
+    return verb;
 }
 
 }  // namespace goalmouth

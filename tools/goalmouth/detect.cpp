@@ -7,9 +7,9 @@
 #include "tools/goalmouth/image_chain.h"
 #include "tools/goalmouth/output.h"
 #include "tools/goalmouth/overlay.h"
+#include "tools/goalmouth/picture_files.h"
 #include "tools/goalmouth/verbs.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -33,26 +33,6 @@ struct Options {
     double height = 0.0;  // 0: not given
     std::vector<std::string> images;
 };
-
-/// Folders become the pictures in them, by name.
-std::vector<std::string> expand(const std::vector<std::string>& named) {
-    std::vector<std::string> files;
-    for (const auto& name : named) {
-        if (!fs::is_directory(name)) {
-            files.push_back(name);
-            continue;
-        }
-        std::vector<std::string> inside;
-        for (const auto& entry : fs::directory_iterator(name)) {
-            if (entry.is_regular_file() && is_image_name(entry.path()))
-                inside.push_back(entry.path().string());
-        }
-        std::sort(inside.begin(), inside.end());
-        if (inside.empty()) throw ConfigurationError(name + ": there is no picture in this folder");
-        files.insert(files.end(), inside.begin(), inside.end());
-    }
-    return files;
-}
 
 /// Writes each picture under a name of its own.
 class OverlayFolder {
@@ -116,7 +96,7 @@ int detect(Options options) {
     if (options.height > 0.0)
         options.chain.T_BC = camera_in_body(options.height, options.roll, options.pitch);
 
-    const std::vector<std::string> files = expand(options.images);
+    const std::vector<std::string> files = picture_files(options.images);
     if (!options.json.empty() && options.json != "-") expect_writable(options.json, "--json");
     ImageChain chain(options.chain);
     OverlayFolder overlays(options.overlay);

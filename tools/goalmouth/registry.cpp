@@ -1,6 +1,7 @@
 #include "tools/goalmouth/registry.h"
 
 #include "modules/camera/camera_module.h"
+#include "modules/colours_adapt/colours_adapt_module.h"
 #include "modules/detection_histogram/detection_histogram_module.h"
 #include "modules/detection_ransac/detection_ransac_module.h"
 #include "modules/detection_upright/detection_upright_module.h"
@@ -20,6 +21,7 @@ const std::vector<ModuleType>& module_types() {
                                                module_type<SimulatorModule>(),
                                                module_type<SegmentationModule>(),
                                                module_type<ExtractionModule>(),
+                                               module_type<ColoursAdaptModule>(),
                                                module_type<RansacDetectionModule>(),
                                                module_type<HistogramDetectionModule>(),
                                                module_type<UprightDetectionModule>(),

@@ -12,7 +12,8 @@ using Action = std::function<int()>;
 
 // Each adds its subcommand with options and, where that subcommand was given, sets `action`.
 void add_bench_verb(CLI::App& app, Action& action);
-void add_colours_verb(CLI::App& app, Action& action);
+/// Its subcommands can be added to.
+CLI::App* add_colours_verb(CLI::App& app, Action& action);
 void add_detect_verb(CLI::App& app, Action& action);
 void add_graph_verb(CLI::App& app, Action& action);
 void add_launch_verb(CLI::App& app, Action& action);

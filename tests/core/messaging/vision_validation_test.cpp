@@ -2,6 +2,7 @@
 #include "tests/core/messaging/breakages.h"
 #include "tests/support/example_messages.h"
 
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,18 @@ namespace goalmouth {
 namespace {
 
 using namespace goalmouth::test;
+
+TEST(Validation, GainsAreFactors) {
+    using M = colour_gains_t;
+    expect_each_refused<M>(example_gains(), {
+                                                [](M& m) { m.utime = -1; },
+                                                [](M& m) { m.seq = -1; },
+                                                [](M& m) { m.from_utime = m.utime - 1; },
+                                                [](M& m) { m.red = 0.0; },
+                                                [](M& m) { m.green = 21.0; },
+                                                [](M& m) { m.blue = std::nan(""); },
+                                            });
+}
 
 TEST(Validation, SegmentsCoverTheirLines) {
     using M = segments_t;

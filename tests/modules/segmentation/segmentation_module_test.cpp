@@ -11,6 +11,7 @@
 #include "tests/support/data.h"
 #include "tests/support/post_scene.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -68,6 +69,33 @@ TEST_F(SegmentationModuleTest, TakesPixelsFromSharedMemoryAlike) {
     ASSERT_EQ(heard.size(), 2U);
     EXPECT_EQ(heard[0].start, heard[1].start);
     EXPECT_EQ(heard[0].transition_offset, heard[1].transition_offset);
+}
+
+TEST_F(SegmentationModuleTest, AdaptsItsTableFromTheTimeTheGainsHoldFor) {
+    SegmentationModule module(context, parameters);
+    const auto has_goal = [](const segments_t& m) {
+        return std::find(m.colour.begin(), m.colour.end(), static_cast<std::int8_t>(Colour::goal)) !=
+               m.colour.end();
+    };
+    colour_gains_t gains{};
+    gains.utime = scene_message(1).utime;
+    gains.from_utime = scene_message(2).utime;
+    gains.red = gains.green = 1.0;
+    gains.blue = 0.1;  // so what is yellow now was pale
+    publish(camera, channels::colour_gains, gains);
+    colour_gains_t as_before = gains;
+    as_before.from_utime = scene_message(3).utime;
+    as_before.blue = 1.0;
+    publish(camera, channels::colour_gains, as_before);
+    for (int seq = 1; seq <= 3; ++seq) {
+        publish(camera, channels::image, scene_message(seq));
+        hub.run_until_idle();
+    }
+    ASSERT_EQ(heard.size(), 3U);
+    EXPECT_TRUE(has_goal(heard[0]));
+    EXPECT_FALSE(has_goal(heard[1]));
+    EXPECT_TRUE(has_goal(heard[2]));
+    EXPECT_EQ(heard[0].start, heard[2].start);
 }
 
 TEST_F(SegmentationModuleTest, SpacesLinesOnTheFieldOnceItKnowsTheCamera) {

@@ -1,0 +1,84 @@
+#include "modules/colours_adapt/colours_adapt_module.h"
+
+#include "core/conversion/border.h"
+#include "core/conversion/colour_gains.h"
+#include "core/messaging/channels.h"
+#include "core/messaging/typed.h"
+#include "core/process/colour_table_parameter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace goalmouth {
+namespace {
+
+constexpr std::size_t frames_kept = 10;
+
+double largest_change(const ColourGains& a, const ColourGains& b) {
+    return std::max(
+        {std::abs(a.red / b.red - 1.0), std::abs(a.green / b.green - 1.0), std::abs(a.blue / b.blue - 1.0)});
+}
+
+std::int64_t microseconds(double seconds) {
+    return std::llround(seconds * 1e6);
+}
+
+}  // namespace
+
+ModuleInfo ColoursAdaptModule::info() {
+    return {"colours_adapt",
+            "Follows slow changes of light by the field's look, for segmentation to adapt its colour table.",
+            {{channels::border, "border_t", "field border of each frame"},
+             {channels::image, "image_t", "the frames, pixels in shared memory", true},
+             {channels::image_tap, "image_t", "self-contained frames, for replay", true},
+             {channels::image_slices, "image_slice_t", "self-contained frames in pieces, for replay", true}},
+            {{channels::colour_gains, "colour_gains_t", "how light has changed since the table was made"}}};
+}
+
+ColoursAdaptModule::ColoursAdaptModule(ModuleContext& context, const Parameters& parameters)
+    : context_(context),
+      parameters_(parameters),
+      base_(colour_table_parameter(parameters.colours, info().executable)),
+      table_(base_),
+      tracker_(parameters.light),
+      frames_(frames_kept),
+      images_(
+          context.bus, context.channel(channels::image), context.channel(channels::image_tap),
+          context.channel(channels::image_slices), [this](const Frame& frame) { frames_.keep(frame); },
+          Delivery::every) {
+    subscribe<border_t>(context.bus, context.channel(channels::border),
+                        [this](const border_t& message) { take(message); });
+}
+
+void ColoursAdaptModule::take(const border_t& message) {
+    if (parameters_.frozen) return;
+    const Frame* frame = frames_.find(message.utime, message.seq, message.intrinsics);
+    if (frame == nullptr) {
+        context_.status.count("without_picture", 1);
+        return;
+    }
+    const auto look = look_at_field(frame->pixels, from_message(message), table_, parameters_.light);
+    if (!frame->still_valid()) {
+        context_.status.dropped(1);
+        return;
+    }
+    if (!look) {
+        context_.status.count("without_field", 1);
+        return;
+    }
+    if (tracker_.follow(*look, message.utime)) say(message);
+    context_.status.set("disbelieved", tracker_.disbelieved());
+}
+
+void ColoursAdaptModule::say(const border_t& message) {
+    if (largest_change(tracker_.gains(), said_) < parameters_.least_change) return;
+    if (said_at_ && message.utime - *said_at_ < microseconds(parameters_.interval)) return;
+    said_ = tracker_.gains();
+    said_at_ = message.utime;
+    table_ = adapted(base_, said_);
+    publish(context_.bus, context_.channel(channels::colour_gains),
+            to_message(said_, message.utime, message.seq, message.utime + microseconds(parameters_.lead)));
+    context_.status.output(message.utime);
+}
+
+}  // namespace goalmouth

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/colour_learning/light_tracker.h"
+#include "core/imaging/colour_gains.h"
+#include "core/imaging/colour_table.h"
+#include "core/messaging/image_input.h"
+#include "core/messaging/kept_frames.h"
+#include "core/process/module.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <goalmouth/border_t.hpp>
+
+namespace goalmouth {
+
+/// Frames and the field borders found in them in; out go gains by which segmentation adapts its colour table
+/// to the light.
+class ColoursAdaptModule : public Module {
+  public:
+    struct Parameters {
+        std::string colours;
+        bool frozen = false;
+        double interval = 0.5;
+        double lead = 0.3;
+        double least_change = 0.02;
+        LightTrackerParameters light;
+    };
+    static ModuleInfo info();
+    ColoursAdaptModule(ModuleContext& context, const Parameters& parameters);
+
+  private:
+    void take(const border_t& message);
+    void say(const border_t& message);
+
+    ModuleContext& context_;
+    Parameters parameters_;
+    ColourTable base_;
+    ColourTable table_;  // base_ under said_
+    LightTracker tracker_;
+    ColourGains said_;
+    std::optional<std::int64_t> said_at_;  // µs
+    KeptFrames frames_;
+    ImageInput images_;
+};
+
+template <class Visitor>
+void describe_parameters(Visitor& v, ColoursAdaptModule::Parameters& p) {
+    v("colours", p.colours, File{}, "colour table, the one segmentation has");
+    v("frozen", p.frozen, "say nothing: the table stays as it is");
+    v("interval", p.interval, Range{0, 60}, "s", "least time between two messages");
+    v("lead", p.lead, Range{0, 10}, "s",
+      "gains hold for frames taken so much later than the one they follow from: longer than a message is on "
+      "its "
+      "way, so that a replay takes them for the same frames");
+    v("least_change", p.least_change, Range{0, 1}, "1",
+      "gains are said once one differs by that share from what was said");
+    v.group("light", p.light, "how the field's look is followed");
+}
+
+}  // namespace goalmouth

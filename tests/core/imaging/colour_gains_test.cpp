@@ -1,0 +1,70 @@
+#include "core/imaging/colour_gains.h"
+
+#include "core/imaging/conversion.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace goalmouth {
+namespace {
+
+/// Each cube of 64 BGR levels has a class of its own as far as they go.
+Colour class_of(const cv::Vec3d& bgr) {
+    const int cube =
+        static_cast<int>(bgr[0] / 64) + static_cast<int>(bgr[1] / 64) + static_cast<int>(bgr[2] / 64);
+    return static_cast<Colour>(cube % colour_count);
+}
+
+ColourTable cubes() {
+    ColourTable table(8);
+    for (int cb = 0; cb < 256; ++cb)
+        for (int cr = 0; cr < 256; ++cr)
+            for (int y = 0; y < 256; ++y) {
+                const double b = y + 1.772 * (cb - 128), r = y + 1.402 * (cr - 128);
+                const double g = y - 0.344136 * (cb - 128) - 0.714136 * (cr - 128);
+                if (std::min({b, g, r}) < 0 || std::max({b, g, r}) > 255) continue;
+                table.set({static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(cb),
+                           static_cast<std::uint8_t>(cr)},
+                          class_of({b, g, r}));
+            }
+    return table;
+}
+
+TEST(AdaptedTable, AnswersForTheColourUnderTheGainsAsBefore) {
+    const ColourTable base = cubes();
+    for (const ColourGains& gains : {ColourGains{0.5, 0.5, 0.5}, ColourGains{1.1, 0.9, 0.6}}) {
+        const ColourTable table = adapted(base, gains);
+        std::mt19937 random(3);
+        int right = 0, asked = 0;
+        for (int i = 0; i < 3000; ++i) {
+            cv::Vec3d was;
+            for (int c = 0; c < 3; ++c) {  // away from the cubes' faces, which rounding crosses
+                was[c] = 64.0 * std::uniform_int_distribution<int>(0, 3)(random) +
+                         std::uniform_real_distribution<double>(8, 56)(random);
+            }
+            const cv::Vec3d now(was[0] * gains.blue, was[1] * gains.green, was[2] * gains.red);
+            if (now[0] > 255 || now[1] > 255 || now[2] > 255) continue;
+            ++asked;
+            right += table.at(ycbcr_from_bgr(cv::Vec3b(
+                         cv::saturate_cast<std::uint8_t>(now[0]), cv::saturate_cast<std::uint8_t>(now[1]),
+                         cv::saturate_cast<std::uint8_t>(now[2])))) == class_of(was);
+        }
+        EXPECT_GE(right, 0.99 * asked);
+        EXPECT_GT(asked, 1000);
+    }
+}
+
+TEST(AdaptedTable, WithoutAChangeIsTheTable) {
+    ColourTable base(6, "t");
+    base.set({10, 20, 30}, Colour::ball);
+    base.add_provenance("somehow");
+    const ColourTable same = adapted(base, {});
+    EXPECT_TRUE(same == base);
+    const ColourTable other = adapted(base, {0.9, 1.0, 1.0});
+    EXPECT_EQ(other.name(), "t");
+    EXPECT_EQ(other.provenance(), base.provenance());
+}
+
+}  // namespace
+}  // namespace goalmouth
