@@ -12,8 +12,6 @@
 namespace goalmouth {
 namespace {
 
-constexpr std::size_t poses_kept = 64;
-
 ColourTable load_table(const std::string& file) {
     if (file.empty()) {
         throw ConfigurationError(
@@ -51,23 +49,15 @@ SegmentationModule::SegmentationModule(ModuleContext& context, const Parameters&
       layout_(parameters.scan_lines),
       images_(context.bus, context.channel(channels::image), context.channel(channels::image_tap),
               context.channel(channels::image_slices), [this](const Frame& frame) { segment(frame); }) {
-    subscribe<kinematics_t>(context.bus, context.channel(channels::kinematics),
-                            [this](const kinematics_t& message) {
-                                poses_[message.utime] = camera_pose(message);
-                                if (poses_.size() > poses_kept) poses_.erase(poses_.begin());
-                            });
-}
-
-std::optional<Eigen::Isometry3d> SegmentationModule::pose_at(std::int64_t utime) const {
-    const auto after = poses_.upper_bound(utime);
-    if (after == poses_.begin()) return std::nullopt;
-    return std::prev(after)->second;
+    subscribe<kinematics_t>(
+        context.bus, context.channel(channels::kinematics),
+        [this](const kinematics_t& message) { poses_.add(message.utime, camera_pose(message)); });
 }
 
 void SegmentationModule::segment(const Frame& frame) {
     context_.status.dropped(frame.dropped_before);
     const Intrinsics camera = from_message(frame.intrinsics);
-    const ScanLayout& layout = layout_.at(camera, pose_at(frame.utime));
+    const ScanLayout& layout = layout_.at(camera, poses_.at(frame.utime));
     const Segments& segments = segmenter_.segment(frame.pixels, layout);
     if (!frame.still_valid()) {
         context_.status.dropped(1);

@@ -1,17 +1,13 @@
 #pragma once
 
+#include "core/alignment/latest_poses.h"
 #include "core/imaging/colour_table.h"
 #include "core/messaging/image_input.h"
 #include "core/process/module.h"
 #include "core/segmentation/scan_lines.h"
 #include "core/segmentation/segmentation.h"
 
-#include <cstdint>
-#include <map>
-#include <optional>
 #include <string>
-
-#include <Eigen/Geometry>
 
 namespace goalmouth {
 
@@ -28,13 +24,12 @@ class SegmentationModule : public Module {
   private:
     SegmentationModule(ModuleContext& context, const Parameters& parameters, const ColourTable& table);
     void segment(const Frame& frame);
-    std::optional<Eigen::Isometry3d> pose_at(std::int64_t utime) const;
 
     ModuleContext& context_;
     std::string table_name_;
     Segmenter segmenter_;
     LatestScanLayout layout_;
-    std::map<std::int64_t, Eigen::Isometry3d> poses_;  // T_BC by utime, the latest few
+    LatestPoses poses_;  // T_BC
     ImageInput images_;
 };
 

@@ -7,6 +7,7 @@
 #include "modules/localisation/localisation_module.h"
 #include "modules/refinement/refinement_module.h"
 #include "modules/segmentation/segmentation_module.h"
+#include "modules/segmentation_edges/segmentation_edges_module.h"
 #include "modules/simulator/simulator_module.h"
 #include "modules/tap/tap_module.h"
 
@@ -18,6 +19,7 @@ const std::vector<ModuleType>& module_types() {
     static const std::vector<ModuleType> types{module_type<CameraModule>(),
                                                module_type<SimulatorModule>(),
                                                module_type<SegmentationModule>(),
+                                               module_type<EdgeSegmentationModule>(),
                                                module_type<ExtractionModule>(),
                                                module_type<RansacDetectionModule>(),
                                                module_type<HistogramDetectionModule>(),

@@ -1,0 +1,244 @@
+#include "core/edges/edge_segmentation.h"
+
+#include "core/edges/frame_scale.h"
+#include "core/edges/post_rules.h"
+#include "core/edges/strip_growth.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace goalmouth {
+namespace {
+
+/// The survey looks at every so-manieth scan-line, and there at every so-manieth pair.
+constexpr std::size_t survey_rows = 4;
+constexpr int survey_pairs = 3;
+
+/// A chain begins with a surface at least this share as bright as a post has to be: one part of it may lie in
+/// shade.
+constexpr double share_of_brightness = 0.7;
+
+bool overlap(const UprightStrip& a, const UprightStrip& b) {
+    const double top = std::max(a.top(), b.top());
+    const double base = std::min(a.base(), b.base());
+    if (base < top) return false;
+    const double y = 0.5 * (top + base);
+    return std::min(a.right.at(y), b.right.at(y)) - std::max(a.left.at(y), b.left.at(y)) > 1.0;
+}
+
+/// Whether a seed's middle lies in a strip that is there already.
+bool within(const StripSeed& seed, const FrameEdges& frame, const UprightStrip& strip) {
+    const double y = 0.5 * (frame.y(seed.first_row) + frame.y(seed.last_row));
+    if (y < strip.top() || y > strip.base()) return false;
+    const double x = 0.5 * (seed.left.at(y) + seed.right.at(y));
+    return x > strip.left.at(y) && x < strip.right.at(y);
+}
+
+/// Appends a line's segments one by one.
+class LineWriter {
+  public:
+    LineWriter(Segments& out, Orientation orientation, int position) : out_(out) {
+        line_ = {orientation, position, static_cast<int>(out.segments.size()), 0};
+    }
+    /// From pixel `start` on the line is of that colour; `transition` as Segment has it.
+    void change(int start, Colour colour, float transition) {
+        if (line_.count > 0) {
+            Segment& last = out_.segments.back();
+            if (last.colour == colour) return;
+            if (start <= last.start) {
+                last.colour = colour;
+                return;
+            }
+            last.end = static_cast<std::int16_t>(start - 1);
+        }
+        // What a segments_t holds: hundredths of a pixel, no more than 127 of them.
+        const float nominal = static_cast<float>(start) - 0.5F;
+        const float offset = std::clamp(std::round(100.F * (transition - nominal)), -127.F, 127.F) / 100.F;
+        out_.segments.push_back({static_cast<std::int16_t>(start), 0, colour, nominal + offset});
+        ++line_.count;
+    }
+    void change(int start, Colour colour) { change(start, colour, static_cast<float>(start) - 0.5F); }
+    void end(int length) {
+        out_.segments.back().end = static_cast<std::int16_t>(length - 1);
+        out_.lines.push_back(line_);
+    }
+
+  private:
+    Segments& out_;
+    ScanLine line_;
+};
+
+}  // namespace
+
+EdgeSegmenter::EdgeSegmenter(const EdgeSegmentationParameters& parameters)
+    : parameters_(parameters), left_finder_(parameters.posts), right_finder_(parameters.posts) {}
+
+const Segments& EdgeSegmenter::segment(YuyvView image, const ScanLayout& layout) {
+    segments_.clear();
+    segments_.width = image.width;
+    segments_.height = image.height;
+    frame_.rows.clear();
+    frame_.edges.clear();
+    frame_.first.clear();
+    columns_.clear();
+    strips_.clear();
+    runs_.clear();
+    field_.reset();
+    if (image.empty()) return segments_;
+    for (const int y : layout.rows)
+        if (y >= 0 && y < image.height) frame_.rows.push_back(y);
+    for (const int x : layout.columns)
+        if (x >= 0 && x < image.width) columns_.push_back(x);
+
+    survey(image);
+    find_edges(image);
+    if (field_ && !ground_.empty()) find_posts(image);
+    for (std::size_t row = 0; row < frame_.rows.size(); ++row) write_row(image, row);
+    for (std::size_t column = 0; column < columns_.size(); ++column) write_column(image, column);
+    return segments_;
+}
+
+void EdgeSegmenter::survey(YuyvView image) {
+    const EdgeParameters& edges = parameters_.edges;
+    threshold_.window = window_pairs(edges, image.width);
+    threshold_.chroma_weight = static_cast<float>(edges.chroma_weight);
+    samples_.clear();
+    sampled_steps_.clear();
+    for (std::size_t row = survey_rows / 2; row < frame_.rows.size(); row += survey_rows) {
+        row_.load(image, frame_.rows[row]);
+        row_.squared_steps(threshold_.window, threshold_.chroma_weight, steps_);
+        const float down = static_cast<float>(frame_.rows[row] + 1) / static_cast<float>(image.height);
+        for (int i = threshold_.window; i + threshold_.window <= row_.pairs(); i += survey_pairs) {
+            samples_.push_back({row_.mean(i, i + 1), down});
+            sampled_steps_.push_back(steps_[static_cast<std::size_t>(i)]);
+        }
+    }
+    double noise = 0.0;
+    if (!sampled_steps_.empty()) {
+        const auto median = sampled_steps_.begin() + static_cast<std::ptrdiff_t>(sampled_steps_.size() / 2);
+        std::nth_element(sampled_steps_.begin(), median, sampled_steps_.end());
+        noise = std::sqrt(static_cast<double>(*median));
+    }
+    threshold_.strength = static_cast<float>(std::max(edges.least_strength, edges.noise_factor * noise));
+    field_ = field_finder_.find(samples_, static_cast<float>(parameters_.field.least_share));
+}
+
+void EdgeSegmenter::find_edges(YuyvView image) {
+    ground_.begin(frame_.rows, columns_);
+    for (const int y : frame_.rows) {
+        frame_.first.push_back(frame_.edges.size());
+        row_.load(image, y);
+        row_edges_.find(row_, threshold_, field_, frame_.edges);
+        if (field_) ground_.add_row(row_, *field_);
+    }
+    frame_.first.push_back(frame_.edges.size());
+    ground_.finish();
+}
+
+void EdgeSegmenter::find_posts(YuyvView image) {
+    const StripParameters& posts = parameters_.posts;
+    const double straightness = straightness_px(posts, image.width);
+    const auto darkest = static_cast<float>(share_of_brightness * posts.least_brightness) * field_->luma();
+    const auto left = left_finder_.find(frame_, ChainSide::left, threshold_, straightness, darkest);
+    const auto right = right_finder_.find(frame_, ChainSide::right, threshold_, straightness, darkest);
+    find_strip_seeds(frame_, left, right, posts, threshold_.chroma_weight, straightness, image.width, seeds_);
+    for (const StripSeed& seed : seeds_) {
+        const bool known = std::any_of(strips_.begin(), strips_.end(), [&](const JudgedStrip& s) {
+            return s.refused.empty() && within(seed, frame_, s.strip);
+        });
+        if (known) continue;
+        JudgedStrip judged{grow_strip(image, frame_, seed, posts, threshold_, straightness), ""};
+        if (judged.strip.rows.empty()) continue;
+        judged.refused = why_no_post(judged.strip, frame_, ground_, *field_, posts, threshold_, straightness,
+                                     narrowest_px(posts, image.width), image.height)
+                             .value_or("");
+        strips_.push_back(std::move(judged));
+    }
+    // Of strips that overlap the most distinct one stays.
+    const auto merit = [](const UprightStrip& s) { return s.both * s.contrast; };
+    std::stable_sort(strips_.begin(), strips_.end(), [&](const JudgedStrip& a, const JudgedStrip& b) {
+        return merit(a.strip) > merit(b.strip);
+    });
+    for (std::size_t i = 0; i < strips_.size(); ++i) {
+        if (!strips_[i].refused.empty()) continue;
+        for (std::size_t j = 0; j < i; ++j) {
+            if (strips_[j].refused.empty() && overlap(strips_[i].strip, strips_[j].strip))
+                strips_[i].refused = "lies in another";
+        }
+        if (!strips_[i].refused.empty()) continue;
+        for (const StripRow& r : strips_[i].strip.rows) {
+            if (!r.left || !r.right || *r.right - *r.left < 2.F) continue;
+            const auto row =
+                std::lower_bound(frame_.rows.begin(), frame_.rows.end(), r.y) - frame_.rows.begin();
+            runs_.push_back({static_cast<std::size_t>(row), *r.left, *r.right});
+        }
+    }
+    std::sort(runs_.begin(), runs_.end(), [](const GoalRun& a, const GoalRun& b) {
+        return a.row != b.row ? a.row < b.row : a.left < b.left;
+    });
+}
+
+void EdgeSegmenter::write_row(YuyvView image, std::size_t row) {
+    LineWriter line(segments_, Orientation::horizontal, frame_.rows[row]);
+    const auto begin =
+        std::lower_bound(runs_.begin(), runs_.end(), row,
+                         [](const GoalRun& run, std::size_t value) { return run.row < value; });
+    auto run = begin;
+    line.change(0, Colour::unclassified);
+    Colour ground = Colour::unclassified;
+    const auto first_pixel = [&](float x) {
+        return std::clamp(static_cast<int>(std::lround(x + 0.5F)), 1, image.width - 1);
+    };
+    const auto write_run = [&] {
+        line.change(first_pixel(run->left), Colour::goal, run->left);
+        line.change(first_pixel(run->right), ground, run->right);
+        ++run;
+    };
+    const auto left = [&] { return run != runs_.end() && run->row == row; };
+    int last_x = 0;
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+        const Colour here = field_ && ground_.at(row, c) ? Colour::field : Colour::unclassified;
+        const int change = c == 0 ? 0 : (last_x + columns_[c] + 1) / 2;
+        last_x = columns_[c];
+        while (left() && run->right < static_cast<float>(change) - 0.5F) write_run();
+        if (here == ground) continue;
+        ground = here;
+        const bool in_run = left() && run->left < static_cast<float>(change) - 0.5F;
+        if (!in_run) line.change(change, ground);
+    }
+    while (left()) write_run();
+    line.end(image.width);
+}
+
+void EdgeSegmenter::write_column(YuyvView image, std::size_t column) {
+    const int x = columns_[column];
+    LineWriter line(segments_, Orientation::vertical, x);
+    line.change(0, Colour::unclassified);
+    Colour before = Colour::unclassified;
+    auto run = runs_.begin();
+    for (std::size_t row = 0; row < frame_.rows.size(); ++row) {
+        Colour here = field_ && ground_.at(row, column) ? Colour::field : Colour::unclassified;
+        for (; run != runs_.end() && run->row <= row; ++run) {
+            if (run->row == row && static_cast<float>(x) > run->left && static_cast<float>(x) < run->right)
+                here = Colour::goal;
+        }
+        if (here == before) continue;
+        int start = row == 0 ? 0 : (frame_.rows[row - 1] + frame_.rows[row] + 1) / 2;
+        if (row > 0 && here != Colour::goal && before != Colour::goal) {
+            // To the pixel, by halves.
+            int low = frame_.rows[row - 1];
+            int high = frame_.rows[row];
+            while (high - low > 1) {
+                const int middle = (low + high) / 2;
+                const bool is_field = field_->contains(mean_of_pairs(image, middle, x / 2, x / 2 + 1));
+                (is_field == (here == Colour::field) ? high : low) = middle;
+            }
+            start = high;
+        }
+        line.change(start, here);
+        before = here;
+    }
+    line.end(image.height);
+}
+
+}  // namespace goalmouth

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/edges/edge_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace goalmouth {
+
+/// What counts as an edge in one frame.
+struct EdgeThreshold {
+    int window = 2;             // pairs on either side
+    float chroma_weight = 2.F;  // of squared steps
+    float strength = 8.F;       // grey levels
+};
+
+/// Parameters that are stated for a picture 640 px wide, in one of `width` px.
+inline int window_pairs(const EdgeParameters& p, int width) {
+    return std::max(1, static_cast<int>(std::lround(p.window * width / 1280.0)));
+}
+inline double straightness_px(const StripParameters& p, int width) {
+    return p.straightness * std::max(1.0, width / 640.0);
+}
+inline double narrowest_px(const StripParameters& p, int width) {
+    return p.narrowest * width / 640.0;
+}
+
+}  // namespace goalmouth
