@@ -1,62 +1,79 @@
 #include "core/edges/chroma_row.h"
 
+#include "core/edges/row_vectors.h"
+
 #include <algorithm>
+#include <cassert>
 
 namespace goalmouth {
+namespace {
+
+/// The largest window and reach.
+constexpr std::size_t widest = 32;
+
+template <class T>
+void make_room(std::vector<T>& array, std::size_t count) {
+    if (array.size() < count) array.resize(count);
+}
+
+}  // namespace
 
 void ChromaRow::load(YuyvView image, int y) {
     pairs_ = (image.width + 1) / 2;
-    const auto n = static_cast<std::size_t>(pairs_);
-    if (y_.size() < n) {
-        y_.resize(n);
-        cb_.resize(n);
-        cr_.resize(n);
-    }
-    const std::uint8_t* row = image.row(y);
-    for (std::size_t i = 0; i < n; ++i) {
-        y_[i] = static_cast<std::int16_t>(row[4 * i] + row[4 * i + 2]);
-        cb_[i] = row[4 * i + 1];
-        cr_[i] = row[4 * i + 3];
-    }
+    for (auto* array : {&y_, &cb_, &cr_, &sum_y_, &sum_cb_, &sum_cr_})
+        make_room(*array, size() + widest + row_margin);
+    split_row(image.row(y), size(), {y_.data(), cb_.data(), cr_.data()});
 }
 
 Appearance ChromaRow::mean(int first, int last) const {
     first = std::max(first, 0);
     last = std::min(last, pairs_ - 1);
-    Appearance sum;
-    for (int i = first; i <= last; ++i) sum = sum + at(i);
-    return first <= last ? sum * (1.F / static_cast<float>(last - first + 1)) : sum;
+    if (first > last) return {};
+    int luma = 0;
+    int cb = 0;
+    int cr = 0;
+    for (auto i = static_cast<std::size_t>(first); i <= static_cast<std::size_t>(last); ++i) {
+        luma += y_[i];
+        cb += cb_[i];
+        cr += cr_[i];
+    }
+    const float share = 1.F / static_cast<float>(last - first + 1);
+    return Appearance{0.5F * static_cast<float>(luma), static_cast<float>(cb), static_cast<float>(cr)} *
+           share;
 }
 
-void ChromaRow::squared_steps(int window, float chroma_weight, std::vector<float>& steps) {
-    const auto n = static_cast<std::size_t>(pairs_);
+std::span<const float> ChromaRow::squared_steps(int window, float chroma_weight) {
     const auto w = static_cast<std::size_t>(window);
-    steps.assign(n, 0.F);
-    if (n < 2 * w) return;
-    if (sum_y_.size() < n) {
-        sum_y_.resize(n);
-        sum_cb_.resize(n);
-        sum_cr_.resize(n);
-    }
-    for (std::size_t i = 0; i + w <= n; ++i) {
-        int sy = 0, sb = 0, sr = 0;
-        for (std::size_t k = 0; k < w; ++k) {
-            sy += y_[i + k];
-            sb += cb_[i + k];
-            sr += cr_[i + k];
-        }
-        sum_y_[i] = static_cast<std::int16_t>(sy);
-        sum_cb_[i] = static_cast<std::int16_t>(sb);
-        sum_cr_[i] = static_cast<std::int16_t>(sr);
-    }
-    const float scale = 0.25F / static_cast<float>(window * window);
-    const float weight = 4.F * chroma_weight;
-    for (std::size_t i = w; i + w <= n; ++i) {
-        const auto dy = static_cast<float>(sum_y_[i] - sum_y_[i - w]);
-        const auto db = static_cast<float>(sum_cb_[i] - sum_cb_[i - w]);
-        const auto dr = static_cast<float>(sum_cr_[i] - sum_cr_[i - w]);
-        steps[i] = scale * (dy * dy + weight * (db * db + dr * dr));
-    }
+    assert(window >= 1 && w <= widest);
+    steps_.assign(widest + size() + widest + row_margin, 0.F);
+    const std::span<const float> steps(steps_.data() + widest, size());
+    if (size() < 2 * w) return steps;
+    box_sums(y_.data(), size() + 1 - w, w, sum_y_.data());
+    box_sums(cb_.data(), size() + 1 - w, w, sum_cb_.data());
+    box_sums(cr_.data(), size() + 1 - w, w, sum_cr_.data());
+    square_steps({sum_y_.data(), sum_cb_.data(), sum_cr_.data()}, size() + 1 - 2 * w, w, chroma_weight,
+                 steps_.data() + widest + w);
+    // What whole vectors have written too much:
+    std::fill(steps_.begin() + static_cast<std::ptrdiff_t>(widest + size() + 1 - w), steps_.end(), 0.F);
+    return steps;
+}
+
+std::span<const std::int32_t> ChromaRow::peaks(float least, int reach) {
+    assert(static_cast<std::size_t>(reach) <= widest);
+    make_room(peaks_, size() + row_margin);
+    const std::size_t count =
+        find_peaks(steps_.data() + widest, size(), least, static_cast<std::size_t>(reach), peaks_.data());
+    return {peaks_.data(), count};
+}
+
+std::span<const std::uint8_t> ChromaRow::is_field(const FieldColour& field) {
+    make_room(is_field_, size() + row_margin);
+    // The last pair's right neighbour is itself.
+    y_[size()] = y_[size() - 1];
+    cb_[size()] = cb_[size() - 1];
+    cr_[size()] = cr_[size() - 1];
+    find_field({y_.data(), cb_.data(), cr_.data()}, size(), field, is_field_.data());
+    return {is_field_.data(), size()};
 }
 
 Appearance mean_of_pairs(YuyvView image, int y, int first, int last) {
@@ -64,7 +81,9 @@ Appearance mean_of_pairs(YuyvView image, int y, int first, int last) {
     last = std::min(last, (image.width + 1) / 2 - 1);
     if (first > last) return {};
     const std::uint8_t* row = image.row(y);
-    int luma = 0, cb = 0, cr = 0;
+    int luma = 0;
+    int cb = 0;
+    int cr = 0;
     for (int i = first; i <= last; ++i) {
         luma += row[4 * i] + row[4 * i + 2];
         cb += row[4 * i + 1] - 128;

@@ -10,9 +10,9 @@
 namespace goalmouth {
 namespace {
 
-/// The survey looks at every so-manieth scan-line, and there at every so-manieth pair.
-constexpr std::size_t survey_rows = 4;
-constexpr int survey_pairs = 3;
+/// The survey looks at about so many scan-lines, evenly spread, and there at so many pairs.
+constexpr std::size_t survey_rows = 24;
+constexpr int survey_pairs = 96;
 
 /// A chain begins with a surface at least this share as bright as a post has to be: one part of it may lie in
 /// shade.
@@ -104,13 +104,15 @@ void EdgeSegmenter::survey(YuyvView image) {
     threshold_.chroma_weight = static_cast<float>(edges.chroma_weight);
     samples_.clear();
     sampled_steps_.clear();
-    for (std::size_t row = survey_rows / 2; row < frame_.rows.size(); row += survey_rows) {
+    const std::size_t rows_apart = std::max<std::size_t>(1, frame_.rows.size() / survey_rows);
+    for (std::size_t row = rows_apart / 2; row < frame_.rows.size(); row += rows_apart) {
         row_.load(image, frame_.rows[row]);
-        row_.squared_steps(threshold_.window, threshold_.chroma_weight, steps_);
+        const auto steps = row_.squared_steps(threshold_.window, threshold_.chroma_weight);
         const float down = static_cast<float>(frame_.rows[row] + 1) / static_cast<float>(image.height);
-        for (int i = threshold_.window; i + threshold_.window <= row_.pairs(); i += survey_pairs) {
+        const int pairs_apart = std::max(1, row_.pairs() / survey_pairs);
+        for (int i = threshold_.window; i + threshold_.window <= row_.pairs(); i += pairs_apart) {
             samples_.push_back({row_.mean(i, i + 1), down});
-            sampled_steps_.push_back(steps_[static_cast<std::size_t>(i)]);
+            sampled_steps_.push_back(steps[static_cast<std::size_t>(i)]);
         }
     }
     double noise = 0.0;
@@ -128,7 +130,7 @@ void EdgeSegmenter::find_edges(YuyvView image) {
     for (const int y : frame_.rows) {
         frame_.first.push_back(frame_.edges.size());
         row_.load(image, y);
-        row_edges_.find(row_, threshold_, field_, frame_.edges);
+        find_row_edges(row_, threshold_, field_, frame_.edges);
         if (field_) ground_.add_row(row_, *field_);
     }
     frame_.first.push_back(frame_.edges.size());
@@ -150,7 +152,7 @@ void EdgeSegmenter::find_posts(YuyvView image) {
         JudgedStrip judged{grow_strip(image, frame_, seed, posts, threshold_, straightness), ""};
         if (judged.strip.rows.empty()) continue;
         judged.refused = why_no_post(judged.strip, frame_, ground_, *field_, posts, threshold_, straightness,
-                                     narrowest_px(posts, image.width), image.height)
+                                     image.width, image.height)
                              .value_or("");
         strips_.push_back(std::move(judged));
     }

@@ -61,12 +61,11 @@ class EdgeSegmenter {
     void write_column(YuyvView image, std::size_t column);
 
     EdgeSegmentationParameters parameters_;
-    RowEdgeFinder row_edges_;
     FieldColourFinder field_finder_;
     ChainFinder left_finder_, right_finder_;
     Ground ground_;
     ChromaRow row_;
-    std::vector<float> steps_, sampled_steps_;
+    std::vector<float> sampled_steps_;
     std::vector<FieldSample> samples_;
     std::vector<int> columns_;  // px
 
@@ -82,7 +81,6 @@ class EdgeSegmenter {
         float left, right;  // px
     };
     std::vector<GoalRun> runs_;
-    std::vector<std::uint8_t> goal_;  // by row and column
     Segments segments_;
 };
 

@@ -90,13 +90,13 @@ std::optional<FieldColour> FieldColourFinder::find(const std::vector<FieldSample
     }
 
     FieldColour field;
-    field.u_ = u;
-    field.v_ = v;
+    field.e_.u = u;
+    field.e_.v = v;
     const float det = suu * svv - suv * suv;
-    field.a_ = svv / det / (gate * gate);
-    field.b_ = -suv / det / (gate * gate);
-    field.c_ = suu / det / (gate * gate);
-    field.brightest_ = 256.F;
+    field.e_.a = svv / (det * gate * gate);
+    field.e_.b = -2.F * suv / (det * gate * gate);
+    field.e_.c = suu / (det * gate * gate);
+    field.e_.brightest = 256.F;
     lumas_.clear();
     for (const FieldSample& s : samples)
         if (field.contains(s.appearance)) lumas_.push_back(s.appearance.y);
@@ -108,8 +108,8 @@ std::optional<FieldColour> FieldColourFinder::find(const std::vector<FieldSample
         return *at;
     };
     field.luma_ = quantile(0.5);
-    field.darkest_ = 0.7F * quantile(0.02);
-    field.brightest_ = 1.2F * quantile(0.98) + 6.F;
+    field.e_.darkest = 0.7F * quantile(0.02);
+    field.e_.brightest = 1.2F * quantile(0.98) + 6.F;
     return field;
 }
 

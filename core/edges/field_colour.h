@@ -14,28 +14,35 @@ struct Chromaticity {
     float u = 0.F;  // of Cb
     float v = 0.F;  // of Cr
 };
+inline constexpr float chromaticity_dark = 16.F;  // grey levels
 inline Chromaticity chromaticity(const Appearance& a) {
-    constexpr float dark = 16.F;  // grey levels
-    return {a.cb / (a.y + dark), a.cr / (a.y + dark)};
+    return {a.cb / (a.y + chromaticity_dark), a.cr / (a.y + chromaticity_dark)};
 }
 
 /// The field's colour in one frame, found in the frame itself.
 class FieldColour {
   public:
-    bool contains(const Appearance& a) const {
-        if (a.y < darkest_ || a.y > brightest_) return false;
-        const Chromaticity c = chromaticity(a);
-        const float du = c.u - u_;
-        const float dv = c.v - v_;
-        return a_ * du * du + 2.F * b_ * du * dv + c_ * dv * dv < 1.F;
+    /// a·du² + b·du·dv + c·dv² < 1 holds for its chromaticities (u + du, v + dv); luma lies in a range.
+    struct Ellipse {
+        float u = 0.F, v = 0.F;
+        float a = 0.F, b = 0.F, c = 0.F;
+        float darkest = 0.F, brightest = 0.F;  // grey levels
+    };
+
+    bool contains(const Appearance& s) const {
+        // Both sides times the luma's square.
+        const float luma = s.y + chromaticity_dark;
+        const float p = s.cb - e_.u * luma;
+        const float q = s.cr - e_.v * luma;
+        return e_.a * (p * p) + e_.b * (p * q) + e_.c * (q * q) < luma * luma && s.y >= e_.darkest &&
+               s.y <= e_.brightest;
     }
+    const Ellipse& ellipse() const { return e_; }
     float luma() const { return luma_; }  // grey levels, median
 
   private:
     friend class FieldColourFinder;
-    float u_ = 0.F, v_ = 0.F;
-    float a_ = 0.F, b_ = 0.F, c_ = 0.F;  // of the ellipse that holds it
-    float darkest_ = 0.F, brightest_ = 0.F;
+    Ellipse e_;
     float luma_ = 0.F;
 };
 

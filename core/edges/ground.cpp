@@ -14,9 +14,10 @@ void Ground::begin(const std::vector<int>& rows, const std::vector<int>& columns
     hull_.clear();
 }
 
-void Ground::add_row(const ChromaRow& row, const FieldColour& field) {
+void Ground::add_row(ChromaRow& row, const FieldColour& field) {
     std::uint8_t* mask = mask_.data() + rows_seen_++ * columns_->size();
-    for (const int x : *columns_) *mask++ = field.contains(row.mean(x / 2, x / 2 + 1));
+    const auto is_field = row.is_field(field);
+    for (const int x : *columns_) *mask++ = is_field[static_cast<std::size_t>(x / 2)];
 }
 
 void Ground::finish() {

@@ -22,7 +22,7 @@ class Ground {
     /// `rows` and `columns` [px] ascending, inside the picture; they are to stay until the next frame.
     void begin(const std::vector<int>& rows, const std::vector<int>& columns);
     /// The next row, from the top.
-    void add_row(const ChromaRow& row, const FieldColour& field);
+    void add_row(ChromaRow& row, const FieldColour& field);
     /// After the last row.
     void finish();
 

@@ -1,5 +1,7 @@
 #include "core/edges/post_rules.h"
 
+#include "core/edges/frame_scale.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +16,7 @@ constexpr double least_both = 0.4;
 std::optional<std::string> why_no_post(const UprightStrip& strip, const FrameEdges& frame,
                                        const Ground& ground, const FieldColour& field,
                                        const StripParameters& p, const EdgeThreshold& threshold,
-                                       double straightness, double narrowest, int height) {
+                                       double straightness, int picture_width, int picture_height) {
     const auto rows = static_cast<double>(strip.rows.size());
     if (strip.both < p.least_rows || strip.both < least_both * rows) return "too few rows show both edges";
     if (strip.contrast < static_cast<double>(threshold.strength)) return "its surroundings look like it";
@@ -22,17 +24,20 @@ std::optional<std::string> why_no_post(const UprightStrip& strip, const FrameEdg
     const double upper = strip.width_at(strip.top());
     const double lower = strip.width_at(strip.base());
     const double width = 0.5 * (upper + lower);
-    if (width < narrowest) return "narrow";
+    if (width < narrowest_px(p, picture_width)) return "narrow";
     if (std::abs(upper - lower) > p.largest_taper * width + straightness) return "tapers";
     const double step = frame.rows.size() > 1 ? frame.y(1) - frame.y(0) : 1.0;
+    const double side = 4.0 * threshold.window;  // px, where no edge is found
     const bool cut_at_top = strip.top() < 2.0 * step;
-    if (strip.length() < (cut_at_top ? p.least_aspect : p.least_whole_aspect) * width) return "short";
+    const bool cut =
+        cut_at_top || strip.left.at(strip.top()) < side || strip.right.at(strip.top()) > picture_width - side;
+    if (strip.length() < (cut ? p.least_aspect : p.least_whole_aspect) * width) return "short";
     if (strip.length() > p.largest_aspect * width) return "too high for its width";
     if (static_cast<double>(strip.inside.y) < p.least_brightness * static_cast<double>(field.luma()))
         return "darker than the field";
 
     const double border = ground.border_at(strip.middle_at(strip.base()));
-    if (strip.base() < border - p.foot_tolerance * height - step) return "ends above the field";
+    if (strip.base() < border - p.foot_tolerance * picture_height - step) return "ends above the field";
     const double rise = (border - strip.top()) / strip.length();
     const bool no_border_in_view = border < 4.0 * step;
     if (rise < p.least_rise && !(cut_at_top && no_border_in_view)) return "lies on the field";

@@ -23,6 +23,6 @@ namespace goalmouth {
 std::optional<std::string> why_no_post(const UprightStrip& strip, const FrameEdges& frame,
                                        const Ground& ground, const FieldColour& field,
                                        const StripParameters& parameters, const EdgeThreshold& threshold,
-                                       double straightness, double narrowest, int height);
+                                       double straightness, int picture_width, int picture_height);
 
 }  // namespace goalmouth

@@ -23,14 +23,7 @@ struct RowEdge {
 
 /// Appends the edges of a row, from left to right: local maxima of the step's size. Edges with the field on
 /// both sides (its texture) are left out.
-class RowEdgeFinder {
-  public:
-    void find(ChromaRow& row, const EdgeThreshold& threshold, const std::optional<FieldColour>& field,
-              std::vector<RowEdge>& edges);
-
-  private:
-    std::vector<float> steps_;
-    std::vector<int> places_;
-};
+void find_row_edges(ChromaRow& row, const EdgeThreshold& threshold, const std::optional<FieldColour>& field,
+                    std::vector<RowEdge>& edges);
 
 }  // namespace goalmouth
