@@ -3,6 +3,8 @@
 #include "core/edges/frame_scale.h"
 #include "core/edges/post_rules.h"
 #include "core/edges/strip_growth.h"
+#include "core/segmentation/label_changes.h"
+#include "core/segmentation/pixel_labels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +14,13 @@ namespace {
 
 /// The survey looks at about so many scan-lines, evenly spread, and there at so many pairs.
 constexpr std::size_t survey_rows = 24;
-constexpr int survey_pairs = 96;
+constexpr int survey_pairs = 64;
 
 /// A chain begins with a surface at least this share as bright as a post has to be: one part of it may lie in
 /// shade.
 constexpr double share_of_brightness = 0.7;
+/// and a stretch that both its edges show this share.
+constexpr double share_of_mean_brightness = 0.9;
 
 bool overlap(const UprightStrip& a, const UprightStrip& b) {
     const double top = std::max(a.top(), b.top());
@@ -93,8 +97,8 @@ const Segments& EdgeSegmenter::segment(YuyvView image, const ScanLayout& layout)
     survey(image);
     find_edges(image);
     if (field_ && !ground_.empty()) find_posts(image);
-    for (std::size_t row = 0; row < frame_.rows.size(); ++row) write_row(image, row);
-    for (std::size_t column = 0; column < columns_.size(); ++column) write_column(image, column);
+    write_rows(image);
+    write_columns(image);
     return segments_;
 }
 
@@ -141,6 +145,8 @@ void EdgeSegmenter::find_posts(YuyvView image) {
     const StripParameters& posts = parameters_.posts;
     const double straightness = straightness_px(posts, image.width);
     const auto darkest = static_cast<float>(share_of_brightness * posts.least_brightness) * field_->luma();
+    const auto darkest_mean =
+        static_cast<float>(share_of_mean_brightness * posts.least_brightness) * field_->luma();
     const auto left = left_finder_.find(frame_, ChainSide::left, threshold_, straightness, darkest);
     const auto right = right_finder_.find(frame_, ChainSide::right, threshold_, straightness, darkest);
     find_strip_seeds(frame_, left, right, posts, threshold_.chroma_weight, straightness, image.width, seeds_);
@@ -148,7 +154,7 @@ void EdgeSegmenter::find_posts(YuyvView image) {
         const bool known = std::any_of(strips_.begin(), strips_.end(), [&](const JudgedStrip& s) {
             return s.refused.empty() && within(seed, frame_, s.strip);
         });
-        if (known) continue;
+        if (known || seed.inside.y < darkest_mean) continue;
         JudgedStrip judged{grow_strip(image, frame_, seed, posts, threshold_, straightness), ""};
         if (judged.strip.rows.empty()) continue;
         judged.refused = why_no_post(judged.strip, frame_, ground_, *field_, posts, threshold_, straightness,
@@ -180,67 +186,93 @@ void EdgeSegmenter::find_posts(YuyvView image) {
     });
 }
 
-void EdgeSegmenter::write_row(YuyvView image, std::size_t row) {
-    LineWriter line(segments_, Orientation::horizontal, frame_.rows[row]);
-    const auto begin =
-        std::lower_bound(runs_.begin(), runs_.end(), row,
-                         [](const GoalRun& run, std::size_t value) { return run.row < value; });
-    auto run = begin;
-    line.change(0, Colour::unclassified);
-    Colour ground = Colour::unclassified;
+void EdgeSegmenter::write_rows(YuyvView image) {
     const auto first_pixel = [&](float x) {
         return std::clamp(static_cast<int>(std::lround(x + 0.5F)), 1, image.width - 1);
     };
-    const auto write_run = [&] {
-        line.change(first_pixel(run->left), Colour::goal, run->left);
-        line.change(first_pixel(run->right), ground, run->right);
-        ++run;
-    };
-    const auto left = [&] { return run != runs_.end() && run->row == row; };
-    int last_x = 0;
-    for (std::size_t c = 0; c < columns_.size(); ++c) {
-        const Colour here = field_ && ground_.at(row, c) ? Colour::field : Colour::unclassified;
-        const int change = c == 0 ? 0 : (last_x + columns_[c] + 1) / 2;
-        last_x = columns_[c];
-        while (left() && run->right < static_cast<float>(change) - 0.5F) write_run();
-        if (here == ground) continue;
-        ground = here;
-        const bool in_run = left() && run->left < static_cast<float>(change) - 0.5F;
-        if (!in_run) line.change(change, ground);
-    }
-    while (left()) write_run();
-    line.end(image.width);
-}
-
-void EdgeSegmenter::write_column(YuyvView image, std::size_t column) {
-    const int x = columns_[column];
-    LineWriter line(segments_, Orientation::vertical, x);
-    line.change(0, Colour::unclassified);
-    Colour before = Colour::unclassified;
+    changed_.resize(columns_.size() + label_margin);
     auto run = runs_.begin();
     for (std::size_t row = 0; row < frame_.rows.size(); ++row) {
-        Colour here = field_ && ground_.at(row, column) ? Colour::field : Colour::unclassified;
-        for (; run != runs_.end() && run->row <= row; ++run) {
-            if (run->row == row && static_cast<float>(x) > run->left && static_cast<float>(x) < run->right)
-                here = Colour::goal;
+        const std::uint8_t* ground = ground_.row(row);
+        const std::size_t changes =
+            columns_.empty() ? 0 : find_changes(ground, ground + 1, columns_.size() - 1, changed_.data());
+        LineWriter line(segments_, Orientation::horizontal, frame_.rows[row]);
+        Colour colour = !columns_.empty() && ground[0] != 0 ? Colour::field : Colour::unclassified;
+        line.change(0, colour);
+        const auto write_run = [&] {
+            line.change(first_pixel(run->left), Colour::goal, run->left);
+            line.change(first_pixel(run->right), colour, run->right);
+            ++run;
+        };
+        const auto of_row = [&] { return run != runs_.end() && run->row == row; };
+        for (std::size_t k = 0; k < changes; ++k) {
+            const auto c = static_cast<std::size_t>(changed_[k]);
+            const int start = (columns_[c] + columns_[c + 1] + 1) / 2;
+            while (of_row() && first_pixel(run->right) <= start) write_run();
+            colour = colour == Colour::field ? Colour::unclassified : Colour::field;
+            if (!of_row() || first_pixel(run->left) > start) line.change(start, colour);
         }
-        if (here == before) continue;
-        int start = row == 0 ? 0 : (frame_.rows[row - 1] + frame_.rows[row] + 1) / 2;
-        if (row > 0 && here != Colour::goal && before != Colour::goal) {
-            // To the pixel, by halves.
-            int low = frame_.rows[row - 1];
-            int high = frame_.rows[row];
-            while (high - low > 1) {
-                const int middle = (low + high) / 2;
-                const bool is_field = field_->contains(mean_of_pairs(image, middle, x / 2, x / 2 + 1));
-                (is_field == (here == Colour::field) ? high : low) = middle;
-            }
-            start = high;
-        }
-        line.change(start, here);
-        before = here;
+        while (of_row()) write_run();
+        line.end(image.width);
     }
-    line.end(image.height);
+}
+
+/// The field's first pixel between a sample above it and one on it, by halves.
+int EdgeSegmenter::field_begins(YuyvView image, int x, int upper, int lower) const {
+    while (lower - upper > 1) {
+        const int middle = (upper + lower) / 2;
+        (field_->contains(mean_of_pairs(image, middle, x / 2, x / 2 + 1)) ? lower : upper) = middle;
+    }
+    return lower;
+}
+
+void EdgeSegmenter::write_columns(YuyvView image) {
+    const std::size_t columns = columns_.size();
+    const std::size_t rows = frame_.rows.size();
+    constexpr auto goal = static_cast<std::uint8_t>(Colour::goal);
+    static_assert(static_cast<int>(Colour::field) == 1 && static_cast<int>(Colour::unclassified) == 0);
+    labels_.assign(ground_.row(0), ground_.row(rows) + label_margin);
+    for (const GoalRun& run : runs_) {
+        const auto begin = std::lower_bound(columns_.begin(), columns_.end(), run.left,
+                                            [](int x, float left) { return static_cast<float>(x) < left; });
+        for (auto x = begin; x != columns_.end() && static_cast<float>(*x) < run.right; ++x)
+            labels_[run.row * columns + static_cast<std::size_t>(x - columns_.begin())] = goal;
+    }
+    // Row by row, as memory lies, then by column.
+    changes_.clear();
+    first_change_.assign(columns + 1, 0);
+    for (std::size_t row = 1; row < rows; ++row) {
+        const std::uint8_t* here = labels_.data() + row * columns;
+        const std::size_t count = find_changes(here - columns, here, columns, changed_.data());
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto column = static_cast<std::size_t>(changed_[k]);
+            changes_.push_back({row, column});
+            ++first_change_[column + 1];
+        }
+    }
+    for (std::size_t c = 0; c < columns; ++c) first_change_[c + 1] += first_change_[c];
+    sorted_.resize(changes_.size());
+    for (const ColumnChange& change : changes_) sorted_[first_change_[change.column]++] = change;
+
+    auto change = sorted_.begin();
+    for (std::size_t c = 0; c < columns; ++c) {
+        LineWriter line(segments_, Orientation::vertical, columns_[c]);
+        const auto label = [&](std::size_t row) { return static_cast<Colour>(labels_[row * columns + c]); };
+        line.change(0, rows > 0 ? label(0) : Colour::unclassified);
+        bool begun = rows > 0 && label(0) == Colour::field;
+        for (; change != sorted_.end() && change->column == c; ++change) {
+            const Colour above = label(change->row - 1);
+            const Colour below = label(change->row);
+            const int upper = frame_.rows[change->row - 1];
+            const int lower = frame_.rows[change->row];
+            // To the pixel where it matters, at the border.
+            const bool border = above != Colour::goal && below == Colour::field && !begun;
+            begun = begun || below == Colour::field;
+            line.change(border ? field_begins(image, columns_[c], upper, lower) : (upper + lower + 1) / 2,
+                        below);
+        }
+        line.end(image.height);
+    }
 }
 
 }  // namespace goalmouth

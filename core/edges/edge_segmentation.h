@@ -37,9 +37,9 @@ struct JudgedStrip {
 ///      between them (strip_seeds.h), followed up and down (strip_growth.h), judged (post_rules.h).
 ///
 /// What lies between the edges of a strip that passes is Colour::goal, with both transitions to a fraction of
-/// a pixel, on each row that shows both; the field is Colour::field to a sample's accuracy along rows and to
-/// a pixel's along columns; all else unclassified. Rows first, then columns, in the layout's order, which has
-/// to be ascending; lines outside the picture are left out. Only pixels on scan-lines are looked at.
+/// a pixel, on each row that shows both; the field is Colour::field to a sample's accuracy, where it begins
+/// in a column to a pixel's; all else unclassified. Rows first, then columns, in the layout's order, which
+/// has to be ascending; lines outside the picture are left out. Only pixels on scan-lines are looked at.
 class EdgeSegmenter {
   public:
     explicit EdgeSegmenter(const EdgeSegmentationParameters& parameters);
@@ -57,8 +57,9 @@ class EdgeSegmenter {
     void survey(YuyvView image);
     void find_edges(YuyvView image);
     void find_posts(YuyvView image);
-    void write_row(YuyvView image, std::size_t row);
-    void write_column(YuyvView image, std::size_t column);
+    void write_rows(YuyvView image);
+    void write_columns(YuyvView image);
+    int field_begins(YuyvView image, int x, int upper, int lower) const;
 
     EdgeSegmentationParameters parameters_;
     FieldColourFinder field_finder_;
@@ -81,6 +82,16 @@ class EdgeSegmenter {
         float left, right;  // px
     };
     std::vector<GoalRun> runs_;
+
+    /// A change down a column, before the row of that number.
+    struct ColumnChange {
+        std::size_t row;
+        std::size_t column;
+    };
+    std::vector<std::uint8_t> labels_;  // by row and column
+    std::vector<std::int32_t> changed_;
+    std::vector<ColumnChange> changes_, sorted_;
+    std::vector<std::size_t> first_change_;  // of each column in sorted_; one more at the end
     Segments segments_;
 };
 

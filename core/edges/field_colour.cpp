@@ -59,7 +59,7 @@ std::optional<FieldColour> FieldColourFinder::find(const std::vector<FieldSample
     float svv = suu;
     constexpr float least_sigma = 0.025F;
     constexpr float gate = 3.5F;  // sigmas
-    for (int round = 0; round < 4; ++round) {
+    for (int round = 0; round < 3; ++round) {
         const float det = suu * svv - suv * suv;
         double n = 0.0, mu = 0.0, mv = 0.0, muu = 0.0, muv = 0.0, mvv = 0.0;
         for (const FieldSample& s : samples) {

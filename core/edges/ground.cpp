@@ -1,6 +1,7 @@
 #include "core/edges/ground.h"
 
 #include "core/geometry/convex_hull.h"
+#include "core/segmentation/pixel_labels.h"
 
 #include <algorithm>
 
@@ -10,7 +11,7 @@ void Ground::begin(const std::vector<int>& rows, const std::vector<int>& columns
     rows_ = &rows;
     columns_ = &columns;
     rows_seen_ = 0;
-    mask_.assign(rows.size() * columns.size(), 0);
+    mask_.assign(rows.size() * columns.size() + label_margin, 0);
     hull_.clear();
 }
 

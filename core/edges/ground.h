@@ -27,7 +27,8 @@ class Ground {
     void finish();
 
     bool empty() const { return hull_.empty(); }
-    bool at(std::size_t row, std::size_t column) const { return mask_[row * columns_->size() + column] != 0; }
+    /// 1 where the field is, else 0, column by column; label_margin further bytes can be read.
+    const std::uint8_t* row(std::size_t row) const { return mask_.data() + row * columns_->size(); }
     /// y of the border in column x [px]; beyond the hull's ends that of the nearer end. Requires a field.
     double border_at(double x) const;
 

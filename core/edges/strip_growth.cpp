@@ -19,6 +19,39 @@ constexpr int rows_without_edge = 4;
 constexpr double share_of_threshold = 0.5;
 constexpr double share_of_contrast = 0.15;
 
+/// Sums over the pairs of a stretch of a row.
+class StretchSums {
+  public:
+    /// Pairs first … end − 1, all inside the picture.
+    void read(YuyvView image, int y, int first, int end) {
+        first_ = first;
+        sums_.resize(static_cast<std::size_t>(end - first) + 1);
+        const std::uint8_t* pair = image.row(y) + 4 * first;
+        Sum sum;
+        for (Sum& before : sums_) {
+            before = sum;
+            if (&before == &sums_.back()) break;
+            sum = {sum.y + pair[0] + pair[2], sum.cb + pair[1] - 128, sum.cr + pair[3] - 128};
+            pair += 4;
+        }
+    }
+    Appearance mean(int first, int end) const {
+        const Sum& a = sums_[static_cast<std::size_t>(first - first_)];
+        const Sum& b = sums_[static_cast<std::size_t>(end - first_)];
+        const float share = 1.F / static_cast<float>(end - first);
+        return Appearance{0.5F * static_cast<float>(b.y - a.y), static_cast<float>(b.cb - a.cb),
+                          static_cast<float>(b.cr - a.cr)} *
+               share;
+    }
+
+  private:
+    struct Sum {
+        int y = 0, cb = 0, cr = 0;
+    };
+    int first_ = 0;
+    std::vector<Sum> sums_;
+};
+
 class Growth {
   public:
     Growth(YuyvView image, const FrameEdges& frame, const StripSeed& seed, const StripParameters& parameters,
@@ -88,9 +121,10 @@ class Growth {
         const double l = strip_.left.at(y);
         const double r = strip_.right.at(y);
         if (r - l < 3.0 || l + r < 0.0 || l + r > 2.0 * image_.width) return Seen::nothing;
-        const double margin = std::min(0.3 * (r - l), 2.0 * threshold_.window);
-        const Appearance inside =
-            mean_of_pairs(image_, y, pair_at(l + margin), std::max(pair_at(l + margin), pair_at(r - margin)));
+        // About its middle, off the edges.
+        const int middle = pair_at(0.5 * (l + r));
+        const int reach = std::min(static_cast<int>(0.1 * (r - l)), threshold_.window);
+        const Appearance inside = mean_of_pairs(image_, y, middle - reach, middle + reach);
         if (unlike(inside, surface_) > parameters_.sameness * seed_.contrast) return Seen::nothing;
 
         const auto left = strongest_step(y, l, inside, ChainSide::left);
@@ -112,17 +146,20 @@ class Growth {
         return Seen::edge;
     }
 
-    std::optional<Step> strongest_step(int y, double x, const Appearance& surface, ChainSide side) const {
+    std::optional<Step> strongest_step(int y, double x, const Appearance& surface, ChainSide side) {
         const int w = threshold_.window;
         const int reach = static_cast<int>(std::ceil(0.5 * straightness_));
         const int middle = static_cast<int>(std::lround(0.5 * (x + 0.5)));
-        const int last = (image_.width + 1) / 2 - w;
+        const int first = std::max(w, middle - reach);
+        const int last = std::min((image_.width + 1) / 2 - w, middle + reach);
+        if (first > last) return std::nullopt;
+        sums_.read(image_, y, first - w, last + w);
         std::optional<Step> best;
-        for (int i = std::max(w, middle - reach); i <= std::min(last, middle + reach); ++i) {
+        for (int i = first; i <= last; ++i) {
             Step step;
             step.pair = i;
-            step.outside = mean_of_pairs(image_, y, i - w, i - 1);
-            step.inside = mean_of_pairs(image_, y, i, i + w - 1);
+            step.outside = sums_.mean(i - w, i);
+            step.inside = sums_.mean(i, i + w);
             if (side == ChainSide::right) std::swap(step.outside, step.inside);
             step.size = unlike(step.outside, surface) - unlike(step.inside, surface);
             if (!best || step.size > best->size) best = step;
@@ -172,6 +209,7 @@ class Growth {
     Appearance surface_;  // as it was last seen
     Appearance sum_;      // of the insides of all rows
     UprightFit left_, right_;
+    StretchSums sums_;
 };
 
 }  // namespace
