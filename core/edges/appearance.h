@@ -20,12 +20,14 @@ inline float squared_size(const Appearance& d, float chroma_weight) {
 }
 
 /// How unlike `surface` something looks, squared. What light and shade do to a surface, more or less of its
-/// own colour, counts a quarter: a post is a cylinder with a bright and a dark side, and shadows fall on it.
-inline float squared_unlikeness(const Appearance& a, const Appearance& surface, float chroma_weight) {
+/// own colour, counts `shade` of its square: a post is a cylinder with a bright and a dark side, and shadows
+/// fall on it.
+inline float squared_unlikeness(const Appearance& a, const Appearance& surface, float chroma_weight,
+                                float shade = 0.25F) {
     const Appearance d = a - surface;
     const float own = surface.dot(surface);
-    const Appearance shade = surface * (own > 0.F ? d.dot(surface) / own : 0.F);
-    return squared_size(d - shade, chroma_weight) + 0.25F * squared_size(shade, chroma_weight);
+    const Appearance along = surface * (own > 0.F ? d.dot(surface) / own : 0.F);
+    return squared_size(d - along, chroma_weight) + shade * squared_size(along, chroma_weight);
 }
 
 }  // namespace goalmouth

@@ -89,6 +89,8 @@ std::optional<FieldColour> FieldColourFinder::find(const std::vector<FieldSample
         suv = std::clamp(suv, -bound, bound);
     }
 
+    if (!may_be_field(u, v)) return std::nullopt;
+
     FieldColour field;
     field.e_.u = u;
     field.e_.v = v;

@@ -11,6 +11,9 @@ namespace {
 /// Of the rows on which a strip's surface is seen, the share that must show both edges.
 constexpr double least_both = 0.4;
 
+/// What of the largest taper may be widening from top to base.
+constexpr double share_downwards = 0.7;
+
 }  // namespace
 
 std::optional<std::string> why_no_post(const UprightStrip& strip, const FrameEdges& frame,
@@ -25,7 +28,9 @@ std::optional<std::string> why_no_post(const UprightStrip& strip, const FrameEdg
     const double lower = strip.width_at(strip.base());
     const double width = 0.5 * (upper + lower);
     if (width < narrowest_px(p, picture_width)) return "narrow";
-    if (std::abs(upper - lower) > p.largest_taper * width + straightness) return "tapers";
+    // To a camera that looks down a post's foot is farther than its top, so it hardly widens downwards.
+    const double taper = (lower > upper ? share_downwards : 1.0) * p.largest_taper * width;
+    if (std::abs(upper - lower) > taper + straightness) return "tapers";
     const double step = frame.rows.size() > 1 ? frame.y(1) - frame.y(0) : 1.0;
     const double side = 4.0 * threshold.window;  // px, where no edge is found
     const bool cut_at_top = strip.top() < 2.0 * step;

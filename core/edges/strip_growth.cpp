@@ -18,6 +18,7 @@ constexpr int rows_without_edge = 4;
 /// shows.
 constexpr double share_of_threshold = 0.5;
 constexpr double share_of_contrast = 0.15;
+constexpr double share_in_other_light = 0.6;
 
 /// Sums over the pairs of a stretch of a row.
 class StretchSums {
@@ -125,7 +126,10 @@ class Growth {
         const int middle = pair_at(0.5 * (l + r));
         const int reach = std::min(static_cast<int>(0.1 * (r - l)), threshold_.window);
         const Appearance inside = mean_of_pairs(image_, y, middle - reach, middle + reach);
-        if (unlike(inside, surface_) > parameters_.sameness * seed_.contrast) return Seen::nothing;
+        // The same surface, or at least the same in other light, where a shadow ends on it.
+        const double bound = parameters_.sameness * seed_.contrast;
+        const bool same = unlike(inside, surface_) <= bound;
+        if (!same && unlike(inside, surface_, 0.F) > bound) return Seen::nothing;
 
         const auto left = strongest_step(y, l, inside, ChainSide::left);
         const auto right = strongest_step(y, r, inside, ChainSide::right);
@@ -133,6 +137,13 @@ class Growth {
         found.y = y;
         if (left) found.left = believed(y, *left, l, ChainSide::left);
         if (right) found.right = believed(y, *right, r, ChainSide::right);
+        if (!same) {
+            // Both edges then have to be as distinct, for that light, as they were.
+            const double light = std::min(1.0, static_cast<double>(inside.y / std::max(surface_.y, 1.F)));
+            const double least = share_in_other_light * light * seed_.contrast;
+            if (!found.left || !found.right || std::min(left->size, right->size) < least)
+                return Seen::nothing;
+        }
         if (!found.left && !found.right) return Seen::surface;
         if (found.left) left_.add(static_cast<double>(*found.left), y);
         if (found.right) right_.add(static_cast<double>(*found.right), y);
@@ -142,7 +153,7 @@ class Growth {
         }
         strip_.rows.push_back(found);
         sum_ = sum_ + inside;
-        surface_ = surface_ * 0.85F + inside * 0.15F;
+        surface_ = same ? surface_ * 0.85F + inside * 0.15F : inside;
         return Seen::edge;
     }
 
@@ -163,6 +174,12 @@ class Growth {
             if (side == ChainSide::right) std::swap(step.outside, step.inside);
             step.size = unlike(step.outside, surface) - unlike(step.inside, surface);
             if (!best || step.size > best->size) best = step;
+        }
+        if (w > 1) {
+            // For its place, sides as they are where blur has ended.
+            best->outside = sums_.mean(best->pair - w, best->pair - 1);
+            best->inside = sums_.mean(best->pair + 1, best->pair + w);
+            if (side == ChainSide::right) std::swap(best->outside, best->inside);
         }
         return best;
     }
@@ -194,8 +211,9 @@ class Growth {
         return first - 0.5 + static_cast<double>(still_a);
     }
 
-    double unlike(const Appearance& a, const Appearance& surface) const {
-        return std::sqrt(static_cast<double>(squared_unlikeness(a, surface, threshold_.chroma_weight)));
+    double unlike(const Appearance& a, const Appearance& surface, float shade = 0.25F) const {
+        return std::sqrt(
+            static_cast<double>(squared_unlikeness(a, surface, threshold_.chroma_weight, shade)));
     }
     static int pair_at(double x) { return static_cast<int>(std::floor(0.5 * (x + 0.5))); }
 

@@ -12,9 +12,10 @@ namespace {
 /// Shares of the rows in which what is said of a pair of chains must hold.
 constexpr double most = 0.6;
 
-/// From edge to edge a surface may look this much more unlike than from row to row: light falls on a post
-/// from one side, and two things light it that are not of one colour.
+/// From edge to edge a surface may look this much more unlike than from row to row, and shade counts hardly
+/// at all: light falls on a post from one side, and two things light it that are not of one colour.
 constexpr double across = 1.5;
+constexpr float shade_across = 0.1F;
 
 /// An edge between two others counts as an interruption when it is this distinct beside them.
 constexpr double interruption = 0.6;
@@ -56,7 +57,7 @@ class PairOfChains {
             const RowEdge& a = frame_.edges[l->edge];
             const RowEdge& b = frame_.edges[r->edge];
             const double distinct = std::min(unlike(a.left, a.right), unlike(b.right, b.left));
-            alike += unlike(a.right, b.left) < across * parameters_.sameness * distinct;
+            alike += unlike(a.right, b.left, shade_across) < across * parameters_.sameness * distinct;
             whole += !interrupted(l->edge, r->edge, distinct);
             left_fit.add(static_cast<double>(a.x), frame_.y(l->row));
             right_fit.add(static_cast<double>(b.x), frame_.y(r->row));
@@ -76,8 +77,8 @@ class PairOfChains {
     }
 
   private:
-    double unlike(const Appearance& a, const Appearance& surface) const {
-        return std::sqrt(static_cast<double>(squared_unlikeness(a, surface, chroma_weight_)));
+    double unlike(const Appearance& a, const Appearance& surface, float shade = 0.25F) const {
+        return std::sqrt(static_cast<double>(squared_unlikeness(a, surface, chroma_weight_, shade)));
     }
 
     bool interrupted(std::size_t left, std::size_t right, double distinct) const {
