@@ -31,15 +31,15 @@ std::optional<FieldColour> FieldColourFinder::find(const std::vector<FieldSample
     for (const FieldSample& s : samples) {
         const Chromaticity c = chromaticity(s.appearance);
         const float weight = s.down;
-        histogram_[static_cast<std::size_t>(bin_of(c.v) * bins + bin_of(c.u))] += weight;
         total += weight;
+        if (!may_be_field(c.u, c.v)) continue;
+        histogram_[static_cast<std::size_t>(bin_of(c.v) * bins + bin_of(c.u))] += weight;
     }
     float most = 0.F;
     float u = 0.F;
     float v = 0.F;
     for (int j = 1; j + 1 < bins; ++j) {
         for (int i = 1; i + 1 < bins; ++i) {
-            if (!may_be_field(middle_of(i), middle_of(j))) continue;
             float sum = 0.F;
             for (int dj = -1; dj <= 1; ++dj)
                 for (int di = -1; di <= 1; ++di)

@@ -109,7 +109,7 @@ TEST(EdgeSegmenter, FindsAPostWhateverItsLeanAndWidth) {
 
 TEST(EdgeSegmenter, FindsPostsOverATenfoldRangeOfBrightness) {
     for (const Shade& shade : {yellow, white}) {
-        for (const double light : {0.13, 0.3, 1.0, 1.3}) {
+        for (const double light : {0.15, 0.3, 1.0, 1.5}) {
             EdgeScene scene;
             scene.stripes[0].shade = shade;
             scene.light = [&](double, double) { return light; };
