@@ -154,8 +154,10 @@ TEST(EdgeSegmenter, FindsPostsAndFieldInHalfShadow) {
         const Found found = compare(segments, scene.stripes[0]);
         EXPECT_GE(found.rows, 0.7 * rows_of(scene.stripes[0])) << shade.cb;
         EXPECT_EQ(found.others, 0);
-        for (const Eigen::Vector2d& p : find_border(segments, BorderParameters{}).points)
-            if (std::abs(p.x() - 310.0) > 20.0) EXPECT_NEAR(p.y(), scene.border, 4.0) << "column " << p.x();
+        for (const Eigen::Vector2d& p : find_border(segments, BorderParameters{}).points) {
+            if (std::abs(p.x() - 310.0) < 20.0) continue;  // the post's own columns
+            EXPECT_NEAR(p.y(), scene.border, 4.0) << "column " << p.x();
+        }
     }
 }
 
