@@ -49,6 +49,9 @@ struct StripParameters {
     double least_brightness = 1.0;
     double foot_tolerance = 0.02;
     double least_rise = 0.2;
+    double width_ratio = 2.0;
+    double lowest = 0.5;
+    double highest = 2.2;
 };
 
 template <class Visitor>
@@ -78,6 +81,11 @@ void describe_parameters(Visitor& v, StripParameters& p) {
       "how far above the field's border a post may end, as a share of the picture's height");
     v("least_rise", p.least_rise, Range{0, 1}, "1",
       "share of a post's length that stands above the field's border: lines on the field lie below it");
+    v("width_ratio", p.width_ratio, Range{1, 1000}, "1",
+      "with kinematics: how many times wider or narrower than a post at its foot's distance it may look");
+    v("lowest", p.lowest, at_least(0), "m",
+      "with kinematics: least height of a post whose top is in the picture");
+    v("highest", p.highest, at_least(0), "m", "with kinematics: largest height");
 }
 
 struct EdgeSegmentationParameters {

@@ -84,7 +84,8 @@ class LineWriter {
 EdgeSegmenter::EdgeSegmenter(const EdgeSegmentationParameters& parameters)
     : parameters_(parameters), left_finder_(parameters.posts), right_finder_(parameters.posts) {}
 
-const Segments& EdgeSegmenter::segment(YuyvView image, const ScanLayout& layout) {
+const Segments& EdgeSegmenter::segment(YuyvView image, const ScanLayout& layout,
+                                       const CameraOverGround* view) {
     segments_.clear();
     segments_.width = image.width;
     segments_.height = image.height;
@@ -103,7 +104,7 @@ const Segments& EdgeSegmenter::segment(YuyvView image, const ScanLayout& layout)
 
     survey(image);
     find_edges(image);
-    if (field_ && !ground_.empty()) find_posts(image);
+    if (field_ && !ground_.empty()) find_posts(image, view);
     write_rows(image);
     write_columns(image);
     return segments_;
@@ -149,7 +150,7 @@ void EdgeSegmenter::find_edges(YuyvView image) {
     ground_.finish();
 }
 
-void EdgeSegmenter::find_posts(YuyvView image) {
+void EdgeSegmenter::find_posts(YuyvView image, const CameraOverGround* view) {
     const StripParameters& posts = parameters_.posts;
     const double straightness = straightness_px(posts, image.width);
     const auto darkest = static_cast<float>(share_of_brightness * posts.least_brightness) * field_->luma();
@@ -166,7 +167,7 @@ void EdgeSegmenter::find_posts(YuyvView image) {
         JudgedStrip judged{grow_strip(image, frame_, seed, posts, threshold_, straightness), ""};
         if (judged.strip.rows.empty()) continue;
         judged.refused = why_no_post(judged.strip, frame_, ground_, *field_, posts, threshold_, straightness,
-                                     image.width, image.height)
+                                     image.width, image.height, view)
                              .value_or("");
         strips_.push_back(std::move(judged));
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/edges/camera_over_ground.h"
 #include "core/edges/chroma_row.h"
 #include "core/edges/edge_chains.h"
 #include "core/edges/edge_parameters.h"
@@ -44,8 +45,8 @@ class EdgeSegmenter {
   public:
     explicit EdgeSegmenter(const EdgeSegmentationParameters& parameters);
 
-    /// Valid until the next call.
-    const Segments& segment(YuyvView image, const ScanLayout& layout);
+    /// `view`: where the camera's pose is known, else null. Valid until the next call.
+    const Segments& segment(YuyvView image, const ScanLayout& layout, const CameraOverGround* view = nullptr);
 
     /// Of the latest frame.
     const std::optional<FieldColour>& field() const { return field_; }
@@ -56,7 +57,7 @@ class EdgeSegmenter {
   private:
     void survey(YuyvView image);
     void find_edges(YuyvView image);
-    void find_posts(YuyvView image);
+    void find_posts(YuyvView image, const CameraOverGround* view);
     void write_rows(YuyvView image);
     void write_columns(YuyvView image);
     int field_begins(YuyvView image, int x, int upper, int lower) const;

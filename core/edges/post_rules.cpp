@@ -14,12 +14,35 @@ constexpr double least_both = 0.4;
 /// What of the largest taper may be widening from top to base.
 constexpr double share_downwards = 0.7;
 
+/// What its foot on the ground says of its size.
+std::optional<std::string> why_not_there(const UprightStrip& strip, const CameraOverGround& view,
+                                         const StripParameters& p, bool cut_at_top) {
+    const double base = strip.base();
+    const auto foot = ground_point(view.camera, view.T_BC, {strip.middle_at(base), base});
+    if (!foot) return "its foot is above the horizon";
+    const Eigen::Vector3d in_camera = view.T_BC.inverse() * Eigen::Vector3d(foot->x(), foot->y(), 0.0);
+    const double expected = view.camera.fx * view.diameter / in_camera.z();  // px
+    const double ratio = strip.width_at(base) / expected;
+    if (ratio > p.width_ratio) return "too wide for its distance";
+    if (ratio * p.width_ratio < 1.0) return "too narrow for its distance";
+
+    const Eigen::Vector2d top =
+        normalised_from_pixel(view.camera, {strip.middle_at(strip.top()), strip.top()});
+    const Eigen::Vector3d ray = view.T_BC.linear() * Eigen::Vector3d(top.x(), top.y(), 1.0);
+    const double away = (*foot - view.T_BC.translation().head<2>()).norm();
+    const double height = view.T_BC.translation().z() + away * ray.z() / ray.head<2>().norm();  // m
+    if (height > p.highest) return "too high for its distance";
+    if (height < p.lowest && !cut_at_top) return "too low for its distance";
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> why_no_post(const UprightStrip& strip, const FrameEdges& frame,
                                        const Ground& ground, const FieldColour& field,
                                        const StripParameters& p, const EdgeThreshold& threshold,
-                                       double straightness, int picture_width, int picture_height) {
+                                       double straightness, int picture_width, int picture_height,
+                                       const CameraOverGround* view) {
     const auto rows = static_cast<double>(strip.rows.size());
     if (strip.both < p.least_rows || strip.both < least_both * rows) return "too few rows show both edges";
     if (strip.contrast < static_cast<double>(threshold.strength)) return "its surroundings look like it";
@@ -46,6 +69,7 @@ std::optional<std::string> why_no_post(const UprightStrip& strip, const FrameEdg
     const double rise = (border - strip.top()) / strip.length();
     const bool no_border_in_view = border < 4.0 * step;
     if (rise < p.least_rise && !(cut_at_top && no_border_in_view)) return "lies on the field";
+    if (view != nullptr) return why_not_there(strip, *view, p, cut_at_top);
     return std::nullopt;
 }
 

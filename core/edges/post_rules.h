@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/edges/camera_over_ground.h"
 #include "core/edges/edge_parameters.h"
 #include "core/edges/field_colour.h"
 #include "core/edges/frame_edges.h"
@@ -19,10 +20,13 @@ namespace goalmouth {
 ///   * it is no darker than the field: posts are yellow or white;
 ///   * it stands on the field: its foot is not above the border;
 ///   * it rises above the border, which no line on the field does. Where the picture shows no border above
-///     it, it has to come from beyond the picture's top.
+///     it, it has to come from beyond the picture's top;
+///   * where the camera's pose is known, it is as wide and as high as a post is at the distance at which its
+///     foot meets the ground.
 std::optional<std::string> why_no_post(const UprightStrip& strip, const FrameEdges& frame,
                                        const Ground& ground, const FieldColour& field,
                                        const StripParameters& parameters, const EdgeThreshold& threshold,
-                                       double straightness, int picture_width, int picture_height);
+                                       double straightness, int picture_width, int picture_height,
+                                       const CameraOverGround* view);
 
 }  // namespace goalmouth

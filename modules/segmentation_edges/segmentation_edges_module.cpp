@@ -3,8 +3,12 @@
 #include "core/conversion/camera_pose.h"
 #include "core/conversion/intrinsics.h"
 #include "core/conversion/segments.h"
+#include "core/field/field.h"
 #include "core/messaging/channels.h"
 #include "core/messaging/typed.h"
+#include "core/process/configuration.h"
+
+#include <optional>
 
 namespace goalmouth {
 ModuleInfo EdgeSegmentationModule::info() {
@@ -14,12 +18,13 @@ ModuleInfo EdgeSegmentationModule::info() {
              {channels::image_tap, "image_t", "self-contained frames, for replay", true},
              {channels::image_slices, "image_slice_t", "self-contained frames in pieces, for replay", true},
              {channels::kinematics, "kinematics_t",
-              "camera pose, where scan-lines are equidistant on the field", true}},
+              "camera pose: how large posts look, and scan-lines equidistant on the field", true}},
             {{channels::segments, "segments_t", "segments of each frame: posts, field, anything else"}}};
 }
 
 EdgeSegmentationModule::EdgeSegmentationModule(ModuleContext& context, const Parameters& parameters)
     : context_(context),
+      diameter_(load_parameters_or_defaults<Field>(parameters.field).post_diameter),
       segmenter_(parameters.segmentation),
       layout_(parameters.scan_lines),
       images_(context.bus, context.channel(channels::image), context.channel(channels::image_tap),
@@ -32,8 +37,11 @@ EdgeSegmentationModule::EdgeSegmentationModule(ModuleContext& context, const Par
 void EdgeSegmentationModule::segment(const Frame& frame) {
     context_.status.dropped(frame.dropped_before);
     const Intrinsics camera = from_message(frame.intrinsics);
-    const ScanLayout& layout = layout_.at(camera, poses_.at(frame.utime));
-    const Segments& segments = segmenter_.segment(frame.pixels, layout);
+    const auto T_BC = poses_.at(frame.utime);
+    std::optional<CameraOverGround> view;
+    if (T_BC) view = {camera, *T_BC, diameter_};
+    const Segments& segments =
+        segmenter_.segment(frame.pixels, layout_.at(camera, T_BC), view ? &*view : nullptr);
     if (!frame.still_valid()) {
         context_.status.dropped(1);
         return;

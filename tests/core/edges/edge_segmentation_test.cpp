@@ -203,6 +203,34 @@ TEST(EdgeSegmenter, TakesNothingDarkForAPostUnlessToldTo) {
     EXPECT_GT(compare(segments_of(scene.draw(), any), scene.stripes[0]).rows, 20);
 }
 
+TEST(EdgeSegmenter, KnowsHowLargeAPostIsWhereTheCamerasPoseIsKnown) {
+    const CameraOverGround view{Intrinsics{}, camera_in_body(0.45, 0.0, 0.25), 0.1};
+    // A post 2.5 m ahead, from the ground to 0.9 m.
+    const auto pixel = [&](double height) {
+        return *project(view.camera, view.T_BC.inverse() * Eigen::Vector3d(2.5, 0.0, height));
+    };
+    const Eigen::Vector3d foot_C = view.T_BC.inverse() * Eigen::Vector3d(2.5, 0.0, 0.0);
+    const double width = view.camera.fx * view.diameter / foot_C.z();
+    EdgeSegmenter segmenter{EdgeSegmentationParameters{}};
+    const auto runs = [&](double times_width, double times_height, const CameraOverGround* known) {
+        EdgeScene scene;
+        scene.border = pixel(0.0).y() - 30.0;
+        const double w = times_width * width;
+        scene.stripes = {{.left = pixel(0.0).x() - 0.5 * w,
+                          .width = w,
+                          .top = pixel(0.9 * times_height).y(),
+                          .base = pixel(0.0).y()}};
+        const YuyvImage image = scene.draw();
+        return goal_runs(segmenter.segment(image.view(), layout_for(image), known));
+    };
+    EXPECT_GT(runs(1.0, 1.0, &view), 20);
+    EXPECT_GT(runs(1.3, 1.0, &view), 20) << "within what a foot's place can say";
+    EXPECT_GT(runs(0.4, 0.7, nullptr), 20);
+    EXPECT_EQ(runs(0.4, 0.7, &view), 0) << "too narrow";
+    EXPECT_GT(runs(0.7, 0.5, nullptr), 10);
+    EXPECT_EQ(runs(0.7, 0.5, &view), 0) << "too low";
+}
+
 TEST(EdgeSegmenter, FindsBothPostsOfAGoal) {
     EdgeScene scene;
     scene.stripes = {{.left = 150.0}, {.left = 450.0, .width = 17.0, .base = 200.0}};
