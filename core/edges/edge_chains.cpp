@@ -41,7 +41,8 @@ std::span<const EdgeChain> ChainFinder::find(const FrameEdges& frame, ChainSide 
             if (next != nullptr) {
                 extend(track, row, static_cast<std::size_t>(next - edges.data()));
                 if (points >= points_of_a_direction && std::abs(track.ahead.b) > largest_slope) continue;
-            } else if (static_cast<int>(row) - track.last_row > parameters_.largest_gap) {
+            } else if (points < points_of_a_direction ||
+                       static_cast<int>(row) - track.last_row > parameters_.largest_gap) {
                 continue;
             }
             tracks_[kept++] = track;

@@ -34,8 +34,8 @@ struct EdgeChain {
 ///
 /// What continues a chain lies where its latest points lead to, within `straightness`, and shows on the
 /// post's side the surface seen so far, while the background may change as it likes: a post stands before
-/// what there is. An edge may belong to a left and to a right chain. Chains of fewer than `least_rows` edges
-/// on their line are dropped.
+/// what there is. A chain too short to lead anywhere may miss no row. An edge may belong to a left and to a
+/// right chain. Chains of fewer than `least_rows` edges on their line are dropped.
 class ChainFinder {
   public:
     explicit ChainFinder(const StripParameters& parameters) : parameters_(parameters) {}
