@@ -29,12 +29,14 @@ void ask_for_row(YuyvView image, int y) {
     for (int i = 0; i < yuyv_row_bytes(image.width); i += cache_line) hwy::Prefetch(image.row(y) + i);
 }
 
-bool overlap(const UprightStrip& a, const UprightStrip& b) {
+/// Posts do not touch: what shares an edge with another strip is what lies behind that one.
+bool touch(const UprightStrip& a, const UprightStrip& b) {
     const double top = std::max(a.top(), b.top());
     const double base = std::min(a.base(), b.base());
     if (base < top) return false;
     const double y = 0.5 * (top + base);
-    return std::min(a.right.at(y), b.right.at(y)) - std::max(a.left.at(y), b.left.at(y)) > 1.0;
+    const double apart = std::max(a.left.at(y), b.left.at(y)) - std::min(a.right.at(y), b.right.at(y));
+    return apart < 0.5 * std::min(a.width_at(y), b.width_at(y));
 }
 
 /// Whether a seed's middle lies in a strip that is there already.
@@ -171,7 +173,7 @@ void EdgeSegmenter::find_posts(YuyvView image, const CameraOverGround* view) {
                              .value_or("");
         strips_.push_back(std::move(judged));
     }
-    // Of strips that overlap the most distinct one stays.
+    // Of strips that touch the most distinct one stays.
     const auto merit = [](const UprightStrip& s) { return s.both * s.contrast; };
     std::stable_sort(strips_.begin(), strips_.end(), [&](const JudgedStrip& a, const JudgedStrip& b) {
         return merit(a.strip) > merit(b.strip);
@@ -179,8 +181,8 @@ void EdgeSegmenter::find_posts(YuyvView image, const CameraOverGround* view) {
     for (std::size_t i = 0; i < strips_.size(); ++i) {
         if (!strips_[i].refused.empty()) continue;
         for (std::size_t j = 0; j < i; ++j) {
-            if (strips_[j].refused.empty() && overlap(strips_[i].strip, strips_[j].strip))
-                strips_[i].refused = "lies in another";
+            if (strips_[j].refused.empty() && touch(strips_[i].strip, strips_[j].strip))
+                strips_[i].refused = "lies in another or beside it";
         }
         if (!strips_[i].refused.empty()) continue;
         for (const StripRow& r : strips_[i].strip.rows) {
