@@ -185,11 +185,15 @@ void EdgeSegmenter::find_posts(YuyvView image, const CameraOverGround* view) {
                 strips_[i].refused = "lies in another or beside it";
         }
         if (!strips_[i].refused.empty()) continue;
-        for (const StripRow& r : strips_[i].strip.rows) {
-            if (!r.left || !r.right || *r.right - *r.left < 2.F) continue;
+        const UprightStrip& strip = strips_[i].strip;
+        for (const StripRow& r : strip.rows) {
+            // An edge that a row does not show lies where the other rows have it.
+            const float left = r.left.value_or(static_cast<float>(strip.left.at(r.y)));
+            const float right = r.right.value_or(static_cast<float>(strip.right.at(r.y)));
+            if (right - left < 2.F || right < 2.F || left > static_cast<float>(image.width) - 3.F) continue;
             const auto row =
                 std::lower_bound(frame_.rows.begin(), frame_.rows.end(), r.y) - frame_.rows.begin();
-            runs_.push_back({static_cast<std::size_t>(row), *r.left, *r.right});
+            runs_.push_back({static_cast<std::size_t>(row), left, right});
         }
     }
     std::sort(runs_.begin(), runs_.end(), [](const GoalRun& a, const GoalRun& b) {
@@ -211,8 +215,14 @@ void EdgeSegmenter::write_rows(YuyvView image) {
         Colour colour = !columns_.empty() && ground[0] != 0 ? Colour::field : Colour::unclassified;
         line.change(0, colour);
         const auto write_run = [&] {
-            line.change(first_pixel(run->left), Colour::goal, run->left);
-            line.change(first_pixel(run->right), colour, run->right);
+            // What goes on beyond the picture has no edge at its border.
+            if (run->left < 0.5F) {
+                line.change(0, Colour::goal);
+            } else {
+                line.change(first_pixel(run->left), Colour::goal, run->left);
+            }
+            if (run->right < static_cast<float>(image.width) - 1.5F)
+                line.change(first_pixel(run->right), colour, run->right);
             ++run;
         };
         const auto of_row = [&] { return run != runs_.end() && run->row == row; };

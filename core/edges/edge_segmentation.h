@@ -37,10 +37,11 @@ struct JudgedStrip {
 ///   3. Strips. Edges followed from row to row (edge_chains.h), paired by opposite polarity and one surface
 ///      between them (strip_seeds.h), followed up and down (strip_growth.h), judged (post_rules.h).
 ///
-/// What lies between the edges of a strip that passes is Colour::goal, with both transitions to a fraction of
-/// a pixel, on each row that shows both; the field is Colour::field to a sample's accuracy, where it begins
-/// in a column to a pixel's; all else unclassified. Rows first, then columns, in the layout's order, which
-/// has to be ascending; lines outside the picture are left out. Only pixels on scan-lines are looked at.
+/// What lies between the edges of a strip that passes is Colour::goal on each row that shows an edge of it,
+/// with transitions to a fraction of a pixel; an edge that the row does not show lies on its line through the
+/// others. The field is Colour::field to a sample's accuracy, where it begins in a column to a pixel's; all
+/// else is unclassified. Rows first, then columns, in the layout's order, which has to be ascending; lines
+/// outside the picture are left out. Only pixels on scan-lines are looked at.
 class EdgeSegmenter {
   public:
     explicit EdgeSegmenter(const EdgeSegmentationParameters& parameters);

@@ -43,7 +43,8 @@ std::optional<std::string> why_no_post(const UprightStrip& strip, const FrameEdg
                                        const StripParameters& p, const EdgeThreshold& threshold,
                                        double straightness, int picture_width, int picture_height,
                                        const CameraOverGround* view) {
-    const auto rows = static_cast<double>(strip.rows.size());
+    const auto rows = static_cast<double>(std::count_if(
+        strip.rows.begin(), strip.rows.end(), [](const StripRow& row) { return row.left || row.right; }));
     if (strip.both < p.least_rows || strip.both < least_both * rows) return "too few rows show both edges";
     if (strip.contrast < static_cast<double>(threshold.strength)) return "its surroundings look like it";
 

@@ -77,8 +77,13 @@ class Growth {
 
         std::sort(strip_.rows.begin(), strip_.rows.end(),
                   [](const StripRow& a, const StripRow& b) { return a.y < b.y; });
+        // Where no edge follows, nothing says that it is still the strip.
+        const auto shows_edge = [](const StripRow& row) { return row.left || row.right; };
+        const auto first = std::find_if(strip_.rows.begin(), strip_.rows.end(), shows_edge);
+        const auto last = std::find_if(strip_.rows.rbegin(), strip_.rows.rend(), shows_edge).base();
+        strip_.rows = first < last ? std::vector<StripRow>(first, last) : std::vector<StripRow>();
         if (strip_.both > 0) strip_.contrast /= strip_.both;
-        if (!strip_.rows.empty()) strip_.inside = sum_ * (1.F / static_cast<float>(strip_.rows.size()));
+        if (summed_ > 0) strip_.inside = sum_ * (1.F / static_cast<float>(summed_));
         return std::move(strip_);
     }
 
@@ -144,7 +149,10 @@ class Growth {
             if (!found.left || !found.right || std::min(left->size, right->size) < least)
                 return Seen::nothing;
         }
-        if (!found.left && !found.right) return Seen::surface;
+        if (!found.left && !found.right) {
+            strip_.rows.push_back(found);
+            return Seen::surface;
+        }
         if (found.left) left_.add(static_cast<double>(*found.left), y);
         if (found.right) right_.add(static_cast<double>(*found.right), y);
         if (found.left && found.right) {
@@ -153,6 +161,7 @@ class Growth {
         }
         strip_.rows.push_back(found);
         sum_ = sum_ + inside;
+        ++summed_;
         surface_ = same ? surface_ * 0.85F + inside * 0.15F : inside;
         return Seen::edge;
     }
@@ -225,7 +234,8 @@ class Growth {
     double straightness_;
     UprightStrip strip_;
     Appearance surface_;  // as it was last seen
-    Appearance sum_;      // of the insides of all rows
+    Appearance sum_;      // of the insides of the rows that show an edge,
+    int summed_ = 0;      // so many
     UprightFit left_, right_;
     StretchSums sums_;
 };

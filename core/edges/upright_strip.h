@@ -17,7 +17,7 @@ struct StripRow {
 /// An upright strip of one surface between two straight edges: what may be a post.
 struct UprightStrip {
     UprightLine left, right;
-    std::vector<StripRow> rows;  // from top to bottom
+    std::vector<StripRow> rows;  // from top to bottom; the first and the last show an edge
     Appearance inside;           // mean
     int both = 0;                // rows that show both edges
     double contrast =
