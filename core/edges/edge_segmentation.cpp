@@ -188,12 +188,12 @@ void EdgeSegmenter::find_posts(YuyvView image, const CameraOverGround* view) {
         const UprightStrip& strip = strips_[i].strip;
         for (const StripRow& r : strip.rows) {
             // An edge that a row does not show lies where the other rows have it.
-            const float left = r.left.value_or(static_cast<float>(strip.left.at(r.y)));
-            const float right = r.right.value_or(static_cast<float>(strip.right.at(r.y)));
-            if (right - left < 2.F || right < 2.F || left > static_cast<float>(image.width) - 3.F) continue;
+            const float from = r.left.value_or(static_cast<float>(strip.left.at(r.y)));
+            const float to = r.right.value_or(static_cast<float>(strip.right.at(r.y)));
+            if (to - from < 2.F || to < 2.F || from > static_cast<float>(image.width) - 3.F) continue;
             const auto row =
                 std::lower_bound(frame_.rows.begin(), frame_.rows.end(), r.y) - frame_.rows.begin();
-            runs_.push_back({static_cast<std::size_t>(row), left, right});
+            runs_.push_back({static_cast<std::size_t>(row), from, to});
         }
     }
     std::sort(runs_.begin(), runs_.end(), [](const GoalRun& a, const GoalRun& b) {
