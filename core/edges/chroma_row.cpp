@@ -1,5 +1,6 @@
 #include "core/edges/chroma_row.h"
 
+#include "core/edges/frame_scale.h"
 #include "core/edges/row_vectors.h"
 
 #include <algorithm>
@@ -8,8 +9,7 @@
 namespace goalmouth {
 namespace {
 
-/// The largest window and reach.
-constexpr std::size_t widest = 32;
+constexpr auto widest = static_cast<std::size_t>(widest_window);
 
 template <class T>
 void make_room(std::vector<T>& array, std::size_t count) {

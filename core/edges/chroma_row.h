@@ -29,11 +29,11 @@ class ChromaRow {
 
     /// The row's derivative by two boxes: for each pair the mean of `window` pairs from it on less that of as
     /// many before it, its squares summed over luma and, weighted, the colour differences [grey levels²]. 0
-    /// where a box does not fit into the row. window ≤ 32. Valid until the next call.
+    /// where a box does not fit into the row. window ≤ widest_window. Valid until the next call.
     std::span<const float> squared_steps(int window, float chroma_weight);
 
     /// Pairs at which the latest squared_steps() reach `least` and have no larger one, nor to the right an
-    /// equal one, within `reach` pairs; ascending. Valid until the next call.
+    /// equal one, within `reach` ≤ widest_window pairs; ascending. Valid until the next call.
     std::span<const std::int32_t> peaks(float least, int reach);
 
     /// For each pair whether it and its right neighbour have, on the mean, the field's colour: 1 or 0. Valid

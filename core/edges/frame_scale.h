@@ -14,9 +14,12 @@ struct EdgeThreshold {
     float strength = 8.F;       // grey levels
 };
 
+/// The largest window a row's sums have room for [pairs].
+inline constexpr int widest_window = 32;
+
 /// Parameters that are stated for a picture 640 px wide, in one of `width` px.
 inline int window_pairs(const EdgeParameters& p, int width) {
-    return std::max(1, static_cast<int>(std::lround(p.window * width / 1280.0)));
+    return std::clamp(static_cast<int>(std::lround(p.window * width / 1280.0)), 1, widest_window);
 }
 inline double straightness_px(const StripParameters& p, int width) {
     return p.straightness * std::max(1.0, width / 640.0);

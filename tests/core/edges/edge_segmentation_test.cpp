@@ -322,6 +322,25 @@ TEST(EdgeSegmenter, TakesFramesOfAnySizeAndLayoutsOfAnyLines) {
     }
 }
 
+TEST(EdgeSegmenter, TakesTheExtremesOfItsParameters) {
+    EdgeScene scene;
+    scene.width = 2600;
+    scene.height = 40;
+    scene.border = 10.0;
+    const YuyvImage image = scene.draw();
+    EdgeSegmentationParameters parameters;
+    parameters.edges.window = 32.0;
+    parameters.edges.chroma_weight = 16.0;
+    parameters.posts.straightness = 400.0;
+    parameters.posts.least_rows = 3;
+    parameters.posts.largest_gap = 1024;
+    parameters.posts.largest_lean = 1.5;
+    expect_whole_lines(segments_of(image, parameters), layout_for(image));
+    parameters.edges.window = 2.0;
+    parameters.edges.noise_factor = 0.0;
+    expect_whole_lines(segments_of(image, parameters), layout_for(image));
+}
+
 TEST(EdgeSegmenter, SaysTheSameOnEveryMachineAndOfEveryFrameAnew) {
     EdgeScene scene;
     scene.noise = 4.0;
