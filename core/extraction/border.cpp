@@ -3,19 +3,11 @@
 #include "core/geometry/convex_hull.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace goalmouth {
 
 double FieldBorder::y_at(double x) const {
-    assert(!hull.empty());
-    if (x <= hull.front().x()) return hull.front().y();
-    if (x >= hull.back().x()) return hull.back().y();
-    const auto right = std::upper_bound(hull.begin(), hull.end(), x,
-                                        [](double value, const Eigen::Vector2d& p) { return value < p.x(); });
-    const Eigen::Vector2d& b = *right;
-    const Eigen::Vector2d& a = *(right - 1);
-    return a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
+    return chain_y_at(hull, x);
 }
 
 const FieldBorder& BorderFinder::find(const Segments& segments) {

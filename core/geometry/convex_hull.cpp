@@ -1,6 +1,7 @@
 #include "core/geometry/convex_hull.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace goalmouth {
 namespace {
@@ -30,6 +31,17 @@ std::vector<Eigen::Vector2d> upper_hull(std::vector<Eigen::Vector2d> points) {
     std::vector<Eigen::Vector2d> hull;
     upper_hull(points, hull);
     return hull;
+}
+
+double chain_y_at(std::span<const Eigen::Vector2d> chain, double x) {
+    assert(!chain.empty());
+    if (x <= chain.front().x()) return chain.front().y();
+    if (x >= chain.back().x()) return chain.back().y();
+    const auto right = std::upper_bound(chain.begin(), chain.end(), x,
+                                        [](double value, const Eigen::Vector2d& p) { return value < p.x(); });
+    const Eigen::Vector2d& b = *right;
+    const Eigen::Vector2d& a = *(right - 1);
+    return a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
 }
 
 }  // namespace goalmouth

@@ -18,4 +18,8 @@ std::vector<Eigen::Vector2d> upper_hull(std::vector<Eigen::Vector2d> points);
 /// The same into memory that is there already; sorts the points.
 void upper_hull(std::span<Eigen::Vector2d> points, std::vector<Eigen::Vector2d>& hull);
 
+/// y at column x of a chain of points from left to right, such as a hull; beyond its ends, that of the nearer
+/// end. Requires a point.
+double chain_y_at(std::span<const Eigen::Vector2d> chain, double x);
+
 }  // namespace goalmouth

@@ -11,7 +11,6 @@
 namespace goalmouth {
 namespace {
 
-constexpr std::size_t poses_kept = 64;
 constexpr std::size_t gains_kept = 64;
 
 }  // namespace
@@ -41,22 +40,14 @@ SegmentationModule::SegmentationModule(ModuleContext& context, const Parameters&
       layout_(parameters.scan_lines),
       images_(context.bus, context.channel(channels::image), context.channel(channels::image_tap),
               context.channel(channels::image_slices), [this](const Frame& frame) { segment(frame); }) {
-    subscribe<kinematics_t>(context.bus, context.channel(channels::kinematics),
-                            [this](const kinematics_t& message) {
-                                poses_[message.utime] = camera_pose(message);
-                                if (poses_.size() > poses_kept) poses_.erase(poses_.begin());
-                            });
+    subscribe<kinematics_t>(
+        context.bus, context.channel(channels::kinematics),
+        [this](const kinematics_t& message) { poses_.add(message.utime, camera_pose(message)); });
     subscribe<colour_gains_t>(context.bus, context.channel(channels::colour_gains),
                               [this](const colour_gains_t& message) {
                                   gains_[message.from_utime] = from_message(message);
                                   if (gains_.size() > gains_kept) gains_.erase(gains_.begin());
                               });
-}
-
-std::optional<Eigen::Isometry3d> SegmentationModule::pose_at(std::int64_t utime) const {
-    const auto after = poses_.upper_bound(utime);
-    if (after == poses_.begin()) return std::nullopt;
-    return std::prev(after)->second;
 }
 
 void SegmentationModule::adapt_to(std::int64_t utime) {
@@ -70,7 +61,7 @@ void SegmentationModule::adapt_to(std::int64_t utime) {
 void SegmentationModule::segment(const Frame& frame) {
     context_.status.dropped(frame.dropped_before);
     const Intrinsics camera = from_message(frame.intrinsics);
-    const ScanLayout& layout = layout_.at(camera, pose_at(frame.utime));
+    const ScanLayout& layout = layout_.at(camera, poses_.at(frame.utime));
     adapt_to(frame.utime);
     const Segments& segments = segmenter_->segment(frame.pixels, layout);
     if (!frame.still_valid()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/alignment/latest_poses.h"
 #include "core/imaging/colour_gains.h"
 #include "core/imaging/colour_table.h"
 #include "core/messaging/image_input.h"
@@ -11,8 +12,6 @@
 #include <map>
 #include <optional>
 #include <string>
-
-#include <Eigen/Geometry>
 
 namespace goalmouth {
 
@@ -30,7 +29,6 @@ class SegmentationModule : public Module {
     SegmentationModule(ModuleContext& context, const Parameters& parameters, const ColourTable& table);
     void segment(const Frame& frame);
     void adapt_to(std::int64_t utime);
-    std::optional<Eigen::Isometry3d> pose_at(std::int64_t utime) const;
 
     ModuleContext& context_;
     ColourTable table_;
@@ -38,7 +36,7 @@ class SegmentationModule : public Module {
     ColourGains applied_;
     std::optional<Segmenter> segmenter_;  // with table_ under applied_
     LatestScanLayout layout_;
-    std::map<std::int64_t, Eigen::Isometry3d> poses_;  // T_BC by utime, the latest few
+    LatestPoses poses_;  // T_BC
     ImageInput images_;
 };
 

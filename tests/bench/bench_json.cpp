@@ -103,7 +103,7 @@ Json growth_json(const StagesResult& stages) {
     for (const SizeResult& size : stages.sizes) {
         for (const int spacing : spacings) {
             Json json{{"size", size_name(size.size)}, {"spacing", spacing}};
-            for (const char* name : {"segments", "frame_to_posts", "naive_segments"})
+            for (const char* name : {"segments", "edge_segments", "frame_to_posts", "naive_segments"})
                 json[fmt::format("{}_ms", name)] = size.median(fmt::format("{}_{}", name, spacing));
             by_spacing.push_back(json);
         }

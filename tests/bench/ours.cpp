@@ -1,6 +1,7 @@
 #include "tests/bench/ours.h"
 
 #include "core/detection/ransac_detector.h"
+#include "core/edges/edge_segmentation.h"
 #include "core/extraction/border.h"
 #include "core/extraction/extraction.h"
 #include "core/random/random.h"
@@ -34,6 +35,13 @@ struct SegmentsOnly {
     const FrameSet& frames;
     ScanLayout layout;
     Segmenter segmenter;
+    const Segments* last = nullptr;
+};
+
+struct EdgeSegments {
+    const FrameSet& frames;
+    ScanLayout layout;
+    EdgeSegmenter segmenter;
     const Segments* last = nullptr;
 };
 
@@ -79,6 +87,32 @@ Contender our_segments(const FrameSet& frames, const ColourTable& table, int spa
         state->last = &state->segmenter.segment(state->frames.view(item), state->layout);
     };
     contender.finding = [state] { return Finding{static_cast<double>(state->last->segments.size()), {}}; };
+    return contender;
+}
+
+Contender edge_segments(const FrameSet& frames, int spacing) {
+    const auto state = std::make_shared<EdgeSegments>(
+        EdgeSegments{frames, layout_of(frames, spacing), EdgeSegmenter(EdgeSegmentationParameters{})});
+    Contender contender;
+    contender.name = named("edge_segments", spacing);
+    contender.label = "segments by edges";
+    contender.settings = fmt::format(
+        "rows and columns every {} px; the parameters of config/modules, no colour table", spacing);
+    contender.finds = "posts";
+    contender.run = [state](std::size_t item, std::vector<double>&) {
+        state->last = &state->segmenter.segment(state->frames.view(item), state->layout);
+    };
+    contender.finding = [state] {
+        Finding finding;
+        for (const JudgedStrip& judged : state->segmenter.strips()) {
+            if (!judged.refused.empty()) continue;
+            const UprightStrip& s = judged.strip;
+            finding.count += 1.0;
+            for (const UprightLine& edge : {s.left, s.right})
+                finding.edges.push_back({{edge.at(s.top()), s.top()}, {edge.at(s.base()), s.base()}});
+        }
+        return finding;
+    };
     return contender;
 }
 

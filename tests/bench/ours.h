@@ -13,6 +13,9 @@ namespace goalmouth::bench {
 
 Contender our_segments(const FrameSet& frames, const ColourTable& table, int spacing);
 
+/// The same by edges, without a colour table: what segmentation_edges does to a frame.
+Contender edge_segments(const FrameSet& frames, int spacing);
+
 /// Frame to posts, as the graph's processes do it. Its parts are the border, the candidates and RANSAC.
 Contender our_chain(const FrameSet& frames, const ColourTable& table, int spacing, std::uint64_t seed);
 

@@ -29,6 +29,7 @@ std::vector<Entry> everybody(const FrameSet& frames, const ColourTable& table, s
     std::vector<Entry> all;
     for (const int spacing : spacings) {
         all.push_back({Kind::ours, spacing, our_segments(frames, table, spacing)});
+        all.push_back({Kind::ours, spacing, edge_segments(frames, spacing)});
         all.push_back({Kind::ours, spacing, our_chain(frames, table, spacing, seed)});
         all.push_back({Kind::plain, spacing, naive_segments(frames, table, spacing)});
     }
@@ -144,6 +145,8 @@ std::vector<Ratio> stage_ratios(const StagesResult& result) {
     const std::string naive = fmt::format("naive_segments_{}", judged_spacing);
     add("scan + segments ÷ our naive version", segments, naive.c_str(), 0.33, 0.25);
     add("scan + segments ÷ one read of the frame", segments, "read", 3.5, 2.5);
+    add("segments by edges ÷ scan + segments", at.median(fmt::format("edge_segments_{}", judged_spacing)),
+        fmt::format("segments_{}", judged_spacing).c_str(), 1.5, 1.0);
     const PointRow* worst = nullptr;
     for (const PointRow& row : result.points)
         if (row.points <= largest_judged && (worst == nullptr || row.ratio() > worst->ratio())) worst = &row;

@@ -89,7 +89,7 @@ TEST(BenchCommand, MeasuresTheStagesAndWritesEveryRow) {
     for (const char* name : {"read", "lookup", "hsv", "hsv_three_colours", "canny_hough", "lsd"})
         EXPECT_EQ(names.count(name), 1U) << name;
     for (const char* name :
-         {"segments", "naive_segments", "frame_to_posts", "border", "candidates", "ransac"})
+         {"segments", "edge_segments", "naive_segments", "frame_to_posts", "border", "candidates", "ransac"})
         for (const char* spacing : {"_4", "_8", "_16"})
             EXPECT_EQ(names.count(std::string(name) + spacing), 1U) << name << spacing;
 

@@ -36,6 +36,7 @@ SizeResult size_result(ImageSize size, double factor) {
     for (const int spacing : spacings) {
         const std::string end = "_" + std::to_string(spacing);
         result.rows.push_back(row("segments" + end, factor * 8.0 / spacing));
+        result.rows.push_back(row("edge_segments" + end, factor * 10.0 / spacing));
         result.rows.push_back(row("frame_to_posts" + end, factor * 12.0 / spacing));
         result.rows.push_back(row("naive_segments" + end, factor * 32.0 / spacing));
     }

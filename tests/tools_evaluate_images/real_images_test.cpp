@@ -69,6 +69,24 @@ TEST(RealImages, NaoUva2013WithoutLabels) {
     EXPECT_EQ(set.score("ransac").wrong_on_negatives, 0);
 }
 
+// Without any table: the graph is given none, and none is learnt.
+TEST(RealImages, ByEdges) {
+    GOALMOUTH_NEEDS_DATA(data);
+    ImagesResult result{"", "", {}, {}};
+    result.options.folder = data;
+    result.options.sets = {"darwin_op_2014", "nao_uva_2013"};
+    result.options.detectors = {"edges"};
+    result.options.jobs = 2;
+    result.sets = evaluate_images(result.options);
+    std::printf("%s", images_text(result).c_str());
+    int wrong_on_negatives = 0;
+    for (const ImageSetResult& set : result.sets) {
+        expect_at_least(set.score("edges"), 0.75, 0.75);
+        wrong_on_negatives += set.score("edges").wrong_on_negatives;
+    }
+    EXPECT_LE(wrong_on_negatives, 3);
+}
+
 const DistanceGroup* group_of(const std::vector<DistanceGroup>& groups, const std::string& detector,
                               const std::string& of) {
     for (const DistanceGroup& group : groups)

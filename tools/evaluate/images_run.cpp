@@ -154,8 +154,10 @@ class Chains {
             chain_options.graph = detector;
             chain_options.camera = camera_;
             chain_options.field = field_;
-            chain_options.colours =
-                options_.colours.empty() ? table_of_fold(tables_, fold) : options_.colours;
+            if (takes_colours(detector)) {
+                chain_options.colours =
+                    options_.colours.empty() ? table_of_fold(tables_, fold) : options_.colours;
+            }
             chain = std::make_unique<ImageChain>(chain_options);
         }
         return *chain;
@@ -181,7 +183,9 @@ ImageSetResult evaluate_set(const std::string& set, const std::vector<AnnotatedI
     std::vector<LabelledScene> scenes;
     for (const AnnotatedImage& image : annotated) scenes.push_back(read_scene(image, annotations));
     const TemporaryFolder tables;
-    if (options.colours.empty()) learn_tables(scenes, set, options, result.field, tables);
+    if (options.colours.empty() &&
+        std::any_of(options.detectors.begin(), options.detectors.end(), takes_colours))
+        learn_tables(scenes, set, options, result.field, tables);
 
     std::vector<Chains> workers;
     for (int i = 0; i < options.jobs; ++i) workers.emplace_back(options, result.camera, result.field, tables);

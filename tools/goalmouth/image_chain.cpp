@@ -91,16 +91,19 @@ std::vector<GraphProcess> stages_to(const std::string& result, const Graph& grap
     return stages;
 }
 
+bool has_parameter(const GraphProcess& process, const std::string& key) {
+    const auto& parameters = process.description.parameters;
+    return std::any_of(parameters.begin(), parameters.end(),
+                       [&](const ParameterInfo& p) { return p.key == key; });
+}
+
 void override_parameter(std::vector<GraphProcess>& stages, const std::string& key, const fs::path& file,
                         const std::string& origin) {
     if (file.empty()) return;
     if (!fs::exists(file)) throw ConfigurationError(origin + ": there is no file " + file.string());
     bool known = false;
     for (GraphProcess& process : stages) {
-        const auto& parameters = process.description.parameters;
-        if (std::none_of(parameters.begin(), parameters.end(),
-                         [&](const ParameterInfo& p) { return p.key == key; }))
-            continue;
+        if (!has_parameter(process, key)) continue;
         process.settings.push_back({key, fs::absolute(file).string(), {origin, 0}, fs::current_path()});
         known = true;
     }
@@ -136,6 +139,14 @@ struct Stage {
 };
 
 }  // namespace
+
+bool takes_colours(const std::string& graph) {
+    GraphOptions options;
+    options.describe = describe_module;
+    const std::vector<GraphProcess> stages = stages_to("posts_t", load_graph(graph, options));
+    return std::any_of(stages.begin(), stages.end(),
+                       [](const GraphProcess& process) { return has_parameter(process, "colours"); });
+}
 
 struct ImageChain::State {
     MemoryHub hub;

@@ -50,6 +50,10 @@ struct ImageChainOptions {
     bool refine = true;  // false: posts as their detector says, though the graph refines them
 };
 
+/// Whether a chain to posts has a stage that labels pixels by a colour table; `graph` as in
+/// ImageChainOptions. Throws ConfigurationError as ImageChain does.
+bool takes_colours(const std::string& graph);
+
 /// One picture for the chain, with what the robot measured as it was taken. The times of `kinematics` and
 /// `odometry` are replaced by the picture's.
 struct ChainFrame {

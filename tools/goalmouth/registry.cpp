@@ -9,6 +9,7 @@
 #include "modules/localisation/localisation_module.h"
 #include "modules/refinement/refinement_module.h"
 #include "modules/segmentation/segmentation_module.h"
+#include "modules/segmentation_edges/segmentation_edges_module.h"
 #include "modules/simulator/simulator_module.h"
 #include "modules/tap/tap_module.h"
 
@@ -20,6 +21,7 @@ const std::vector<ModuleType>& module_types() {
     static const std::vector<ModuleType> types{module_type<CameraModule>(),
                                                module_type<SimulatorModule>(),
                                                module_type<SegmentationModule>(),
+                                               module_type<EdgeSegmentationModule>(),
                                                module_type<ExtractionModule>(),
                                                module_type<ColoursAdaptModule>(),
                                                module_type<RansacDetectionModule>(),
