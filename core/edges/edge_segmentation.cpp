@@ -39,12 +39,17 @@ bool touch(const UprightStrip& a, const UprightStrip& b) {
     return apart < 0.5 * std::min(a.width_at(y), b.width_at(y));
 }
 
-/// Whether a seed's middle lies in a strip that is there already.
-bool within(const StripSeed& seed, const FrameEdges& frame, const UprightStrip& strip) {
+/// Whether growing a seed would only make a strip anew: its middle lies in one that is a post, or its edges
+/// lie on those of any.
+bool known(const StripSeed& seed, const FrameEdges& frame, const JudgedStrip& judged, double straightness) {
+    const UprightStrip& strip = judged.strip;
     const double y = 0.5 * (frame.y(seed.first_row) + frame.y(seed.last_row));
     if (y < strip.top() || y > strip.base()) return false;
+    const double left = seed.left.at(y) - strip.left.at(y);
+    const double right = seed.right.at(y) - strip.right.at(y);
+    if (std::abs(left) <= straightness && std::abs(right) <= straightness) return true;
     const double x = 0.5 * (seed.left.at(y) + seed.right.at(y));
-    return x > strip.left.at(y) && x < strip.right.at(y);
+    return judged.refused.empty() && x > strip.left.at(y) && x < strip.right.at(y);
 }
 
 /// Appends a line's segments one by one.
@@ -162,10 +167,10 @@ void EdgeSegmenter::find_posts(YuyvView image, const CameraOverGround* view) {
     const auto right = right_finder_.find(frame_, ChainSide::right, threshold_, straightness, darkest);
     find_strip_seeds(frame_, left, right, posts, threshold_.chroma_weight, straightness, image.width, seeds_);
     for (const StripSeed& seed : seeds_) {
-        const bool known = std::any_of(strips_.begin(), strips_.end(), [&](const JudgedStrip& s) {
-            return s.refused.empty() && within(seed, frame_, s.strip);
-        });
-        if (known || seed.inside.y < darkest_mean) continue;
+        if (seed.inside.y < darkest_mean) continue;
+        if (std::any_of(strips_.begin(), strips_.end(),
+                        [&](const JudgedStrip& s) { return known(seed, frame_, s, straightness); }))
+            continue;
         JudgedStrip judged{grow_strip(image, frame_, seed, posts, threshold_, straightness), ""};
         if (judged.strip.rows.empty()) continue;
         judged.refused = why_no_post(judged.strip, frame_, ground_, *field_, posts, threshold_, straightness,

@@ -8,7 +8,7 @@ namespace goalmouth {
 
 struct RefinementParameters {
     double least_quality = 0.5;
-    int most_rows = 160;
+    int most_rows = 200;
     double start_tolerance = 0.2;
     double start_floor = 0.0075;
     double least_width = 2.5;

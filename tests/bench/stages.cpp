@@ -145,8 +145,6 @@ std::vector<Ratio> stage_ratios(const StagesResult& result) {
     const std::string naive = fmt::format("naive_segments_{}", judged_spacing);
     add("scan + segments ÷ our naive version", segments, naive.c_str(), 0.33, 0.25);
     add("scan + segments ÷ one read of the frame", segments, "read", 3.5, 2.5);
-    add("segments by edges ÷ scan + segments", at.median(fmt::format("edge_segments_{}", judged_spacing)),
-        fmt::format("segments_{}", judged_spacing).c_str(), 1.5, 1.0);
     const PointRow* worst = nullptr;
     for (const PointRow& row : result.points)
         if (row.points <= largest_judged && (worst == nullptr || row.ratio() > worst->ratio())) worst = &row;
@@ -156,6 +154,8 @@ std::vector<Ratio> stage_ratios(const StagesResult& result) {
     add("frame → posts ÷ HSV + inRange + findContours", posts, "hsv", 0.30, 0.20);
     add("frame → posts ÷ Canny + HoughLinesP", posts, "canny_hough", 0.12, 0.08);
     add("frame → posts ÷ LSD", posts, "lsd", 0.025, 0.015);
+    add("segments by edges ÷ scan + segments", at.median(fmt::format("edge_segments_{}", judged_spacing)),
+        fmt::format("segments_{}", judged_spacing).c_str(), 1.5, 1.0);
     if (at.refinement) {
         for (Ratio& ratio : refinement_ratios(*at.refinement)) keep(std::move(ratio));
     }

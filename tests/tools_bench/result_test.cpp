@@ -77,14 +77,15 @@ TEST(StageRatios, AreThoseOfTheAcceptanceTableAtTheLargestSizeAndTheJudgedSpacin
         bars.push_back(ratio.bar);
         stretches.push_back(ratio.stretch);
     }
-    EXPECT_THAT(names,
-                ElementsAre("scan + segments ÷ our naive version", "scan + segments ÷ one read of the frame",
-                            "RANSAC ÷ literal, 50–500 points, same consensus",
-                            "frame → posts ÷ HSV + inRange + findContours",
-                            "frame → posts ÷ Canny + HoughLinesP", "frame → posts ÷ LSD"));
-    EXPECT_THAT(values, ElementsAre(0.25, 2.0, 0.1, 0.25, 0.125, 0.025));
-    EXPECT_THAT(bars, ElementsAre(0.33, 3.5, 0.10, 0.30, 0.12, 0.025));
-    EXPECT_THAT(stretches, ElementsAre(0.25, 2.5, 0.05, 0.20, 0.08, 0.015));
+    EXPECT_THAT(
+        names,
+        ElementsAre("scan + segments ÷ our naive version", "scan + segments ÷ one read of the frame",
+                    "RANSAC ÷ literal, 50–500 points, same consensus",
+                    "frame → posts ÷ HSV + inRange + findContours", "frame → posts ÷ Canny + HoughLinesP",
+                    "frame → posts ÷ LSD", "segments by edges ÷ scan + segments"));
+    EXPECT_THAT(values, ElementsAre(0.25, 2.0, 0.1, 0.25, 0.125, 0.025, 1.25));
+    EXPECT_THAT(bars, ElementsAre(0.33, 3.5, 0.10, 0.30, 0.12, 0.025, 1.5));
+    EXPECT_THAT(stretches, ElementsAre(0.25, 2.5, 0.05, 0.20, 0.08, 0.015, 1.0));
     EXPECT_DOUBLE_EQ(ratios[0].ours_ms, 1.0);
     EXPECT_DOUBLE_EQ(ratios[0].other_ms, 4.0);
 }
@@ -106,21 +107,21 @@ TEST(StageRatios, EndWithRefinementsWhereItWasTried) {
     row.ours = timing_of("ours", "", {0.25});
     row.full = timing_of("full", "", {5.0});
     const auto ratios = stage_ratios(result);
-    ASSERT_EQ(ratios.size(), 8U);
-    const Ratio& time = ratios[6];
+    ASSERT_EQ(ratios.size(), 9U);
+    const Ratio& time = ratios[7];
     EXPECT_EQ(time.name, "refinement, ms a post");
     EXPECT_DOUBLE_EQ(time.ratio, 0.25);
     EXPECT_DOUBLE_EQ(time.bar, 0.3);
     EXPECT_TRUE(time.met());
     EXPECT_THAT(time.note, HasSubstr("40 posts, 38 refined"));
-    const Ratio& share = ratios[7];
+    const Ratio& share = ratios[8];
     EXPECT_EQ(share.name, "refinement ÷ full least squares");
     EXPECT_DOUBLE_EQ(share.ratio, 0.05);
     EXPECT_DOUBLE_EQ(share.bar, 0.10);
     EXPECT_EQ(share.size, "1600x1200");
     row = {};
-    EXPECT_FALSE(stage_ratios(result)[6].met());
-    EXPECT_FALSE(stage_ratios(result)[7].measured);
+    EXPECT_FALSE(stage_ratios(result)[7].met());
+    EXPECT_FALSE(stage_ratios(result)[8].measured);
 }
 
 TEST(StageRatios, AreNotGivenForAnInterruptedRun) {
