@@ -84,6 +84,8 @@ function(goalmouth_tests name)
   target_compile_definitions(test_${name} PRIVATE GOALMOUTH_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                   GOALMOUTH_BINARY_DIR="${PROJECT_BINARY_DIR}")
   goalmouth_our_code(test_${name})
+  # Half of the build is test code that runs for milliseconds: not optimised it compiles in two thirds of the time.
+  target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120
                        PROPERTIES TIMEOUT ${arg_TIMEOUT} RUN_SERIAL ${arg_SERIAL} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]|skipped: these tests")
 endfunction()
