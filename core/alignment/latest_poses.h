@@ -15,6 +15,8 @@ namespace goalmouth {
 class LatestPoses {
   public:
     void add(std::int64_t utime, const Eigen::Isometry3d& T_BC) {
+        // Time ran back: a replay began again.
+        if (!poses_.empty() && utime < poses_.rbegin()->first - backwards) poses_.clear();
         poses_[utime] = T_BC;
         if (poses_.size() > kept) poses_.erase(poses_.begin());
     }
@@ -27,6 +29,7 @@ class LatestPoses {
 
   private:
     static constexpr std::size_t kept = 64;
+    static constexpr std::int64_t backwards = 1'000'000;  // µs
     std::map<std::int64_t, Eigen::Isometry3d> poses_;
 };
 

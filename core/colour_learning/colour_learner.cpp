@@ -259,7 +259,7 @@ LearntColours learn_without_labels(std::span<const YuyvImage> pictures, GoalPain
     const std::vector<Lesson> lessons = lessons_of(pictures, labels);
     learnt.classes = checked_classes(lessons);
     const LearntClass& ball = learnt.classes[static_cast<std::size_t>(Colour::ball)];
-    if (ball.recall && ball.confidence() < least_ball_confidence) {
+    if (ball.samples > 0 && ball.confidence() < least_ball_confidence) {
         forget(Colour::ball, labels);
         learnt.classes = checked_classes(lessons);
     }

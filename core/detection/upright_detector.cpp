@@ -12,6 +12,7 @@
 namespace goalmouth {
 namespace {
 
+constexpr double least_roll_sigma = 1e-3;    // rad
 constexpr std::size_t most_peaks = 10;       // of a side, for one roll
 constexpr std::size_t most_hypotheses = 24;  // that are judged
 
@@ -27,6 +28,8 @@ void insert(std::vector<Post>& posts, const Post& post) {
 UprightDetector::UprightDetector(const UprightDetectorParameters& parameters, const Field& field)
     : parameters_(parameters),
       size_{0.5 * field.post_diameter, field.goal_height + 0.5 * field.post_diameter},
+      narrowest_(2.0 * std::asin(std::min(1.0, size_.radius / parameters.search.farthest))),
+      widest_(2.0 * std::asin(std::min(1.0, size_.radius / parameters.search.nearest))),
       judge_(parameters.search, size_) {}
 
 /// Of the rows it would be seen in were all of it in the picture, some are reason enough.
@@ -59,16 +62,14 @@ int UprightDetector::points_along(const UprightView& view, const UprightEdges& e
 
 void UprightDetector::suggest(const UprightView& view, double tolerance) {
     hypotheses_.clear();
-    const auto& search = parameters_.search;
     double steepest = 0.0;
     for (const auto* points : {&seen_.left, &seen_.right})
         for (const UprightPoint& p : *points) steepest = std::max(steepest, std::abs(p.ray.slope));
     constexpr double sigmas = 3.0, most_roll = 0.7;  // rad
     const double reach = std::min(sigmas * roll_sigma_, most_roll);
-    const double step = std::max(2.0 * tolerance / std::max(steepest, 0.1), 0.002);
+    constexpr int most_steps = 100;  // to either side
+    const double step = std::max(2.0 * tolerance / std::max(steepest, 0.1), reach / most_steps);
     const int steps = static_cast<int>(std::ceil(reach / step));
-    const double narrowest = 2.0 * std::asin(std::min(1.0, size_.radius / search.farthest));
-    const double widest = 2.0 * std::asin(std::min(1.0, size_.radius / search.nearest));
     constexpr int least_points = 3;
     constexpr double least_promise = -2.0;
     for (int i = -steps; i <= steps; ++i) {
@@ -78,7 +79,7 @@ void UprightDetector::suggest(const UprightView& view, double tolerance) {
         for (const AzimuthPeak& left : left_) {
             for (const AzimuthPeak& right : right_) {
                 const double width = right.azimuth - left.azimuth;
-                if (width < narrowest || width > widest) continue;
+                if (width < narrowest_ || width > widest_) continue;
                 Hypothesis next{{left.azimuth, right.azimuth, roll}, 0.0};
                 const double leaves = 0.5 * (roll / roll_sigma_) * (roll / roll_sigma_);
                 const double rows = usual_rows(next.edges) + leaves;
@@ -158,12 +159,14 @@ bool UprightDetector::go_together(const Found& taken, const Found& next, double 
     const double turn = std::sin(std::abs(taken.edges.middle(0.0) - next.edges.middle(0.0)));
     constexpr double sigmas = 3.0;
     if (std::abs(taken.edges.roll - next.edges.roll) >
-        sigmas * (std::numbers::sqrt2 * parameters_.search.lean_sigma + turn * attitude_sigma_))
+        sigmas * (std::numbers::sqrt2 * std::max(least_roll_sigma, parameters_.search.lean_sigma) +
+                  turn * attitude_sigma_))
         return false;
-    const double top = next.evidence.first_slope, base = next.evidence.last_slope;
-    for (const double slope :
-         {top, 0.75 * top + 0.25 * base, 0.5 * (top + base), 0.25 * top + 0.75 * base, base}) {
-        if (slope > taken.evidence.first_slope || slope < taken.evidence.last_slope) continue;
+    const double top = std::min(next.evidence.first_slope, taken.evidence.first_slope);
+    const double base = std::max(next.evidence.last_slope, taken.evidence.last_slope);
+    if (top < base) return true;  // one above the other
+    for (int k = 0; k <= 4; ++k) {
+        const double slope = base + 0.25 * k * (top - base);
         const double roll = (taken.edges.roll - next.edges.roll) * slope;
         const double left = taken.edges.left - next.edges.left + roll;
         const double right = taken.edges.right - next.edges.right + roll;
@@ -195,7 +198,6 @@ std::optional<Post> UprightDetector::post_of(const Found& found, const UprightVi
     const auto sigma = [](int rows) { return 0.5 / std::sqrt(std::max(1, rows)); };  // px
     measure_post(post, camera, 2.0 * size_.radius, sigma(post.support_left), sigma(post.support_right),
                  parameters_.measurement);
-    if (post.has(post_flag::no_distance)) return post;
     const double half_angle = found.edges.half_angle();
     const double by_width = post.distance_m;
     post.distance_m = size_.radius / std::sin(half_angle);
@@ -204,6 +206,8 @@ std::optional<Post> UprightDetector::post_of(const Found& found, const UprightVi
     post.covariance(0, 0) *= scale * scale;
     post.covariance(0, 1) *= scale;
     post.covariance(1, 0) *= scale;
+    if (!(post.distance_m > 0.0) || !std::isfinite(post.bearing_rad) || !post.covariance.allFinite())
+        return std::nullopt;
     return post;
 }
 
@@ -241,6 +245,7 @@ std::optional<EdgeLine> UprightDetector::free_edge(const std::vector<UprightPoin
 
 void UprightDetector::add_cut_posts(const Candidates& candidates, const Intrinsics& camera,
                                     double tolerance) {
+    if (!parameters_.cut_posts.report) return;
     constexpr double near_px = 5.0;  // as the paper's inlier distance
     for (const bool left : {true, false}) {
         const auto edge = free_edge(left ? seen_.left : seen_.right, left, tolerance);
@@ -267,7 +272,8 @@ const std::vector<Post>& UprightDetector::detect(const Candidates& candidates, c
     if (!view) return posts_;
     seen_.take(candidates, *view);
     const double tolerance = parameters_.search.tolerance / camera.fx;
-    roll_sigma_ = std::max(1e-3, std::hypot(view->attitude_sigma(), parameters_.search.lean_sigma));
+    roll_sigma_ =
+        std::max(least_roll_sigma, std::hypot(view->attitude_sigma(), parameters_.search.lean_sigma));
     row_step_ = seen_.rows.size() > 1 ? static_cast<double>(seen_.rows.back() - seen_.rows.front()) /
                                             static_cast<double>(seen_.rows.size() - 1)
                                       : 1.0;
@@ -277,6 +283,9 @@ const std::vector<Post>& UprightDetector::detect(const Candidates& candidates, c
     for (const Hypothesis& h : hypotheses_) {
         const UprightEdges edges = fitted(*view, h.edges, tolerance);
         if (std::abs(edges.roll) > 4.0 * roll_sigma_) continue;
+        // What the fit moves it by is no reason to leave it.
+        const double width = 2.0 * edges.half_angle();
+        if (!(width >= 0.9 * narrowest_ && width <= 1.1 * widest_)) continue;
         const UprightEvidence evidence = judge_.judge(seen_, *view, edges, 1.5 * tolerance);
         if (passes(evidence)) found_.push_back({edges, evidence});
     }

@@ -33,8 +33,9 @@ namespace goalmouth {
 ///   3  The best of those that pass are posts, one after the other, as long as they share no edge with one
 ///      before and do not overlap it.
 ///
-/// Posts cut by the picture's side border are those of the paper's variant (cut_posts.h), from edges that no
-/// post has taken. Distance by the angle between the planes through the edges, D = r / sin η.
+/// A camera that looks along the vertical sees none. Posts cut by the picture's side border are those of the
+/// paper's variant (cut_posts.h), from edges that no post has taken. Distance by the angle between the planes
+/// through the edges, D = r / sin η.
 class UprightDetector {
   public:
     UprightDetector(const UprightDetectorParameters& parameters, const Field& field);
@@ -67,6 +68,7 @@ class UprightDetector {
 
     UprightDetectorParameters parameters_;
     UprightSize size_;
+    double narrowest_, widest_;    // rad, between the edges of a post at a plausible distance
     double roll_sigma_ = 0.0;      // rad
     double attitude_sigma_ = 0.0;  // rad
     double row_step_ = 1.0;        // px, from one horizontal scan-line to the next

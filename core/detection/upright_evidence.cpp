@@ -122,8 +122,11 @@ UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const U
     const double base_margin = 0.04 * (top - base), margin = 0.1 * (top - base);
     constexpr double sigmas = 2.5;
     const double step = std::max(0.25 * margin, sigmas * sigma / 100.0);
+    if (!(step > 0.0) || !std::isfinite(step)) return best;
+    const int steps = static_cast<int>(sigmas * sigma / step);
     bool first = true;
-    for (double shift = -sigmas * sigma; shift <= sigmas * sigma; shift += step) {
+    for (int k = -steps; k <= steps; ++k) {
+        const double shift = k * step;
         const double middle = 0.5 * (top + base) + shift;
         const double stretch = 1.0 + middle * middle;  // a turn moves slopes by 1 + t²
         const double at_top = top + shift * stretch, at_base = base + shift * stretch;

@@ -28,7 +28,7 @@ struct UprightSize {
 
 /// What a frame's candidates say for a post with such edges.
 struct UprightEvidence {
-    double score = 0.0;  // sum over rows
+    double score = 0.0;  // sum over rows, less what the shift costs
     double rows = 0.0;   // in the picture between the post's ends
     int left_rows = 0;   // of these, in which the edge is where it should be
     int right_rows = 0;

@@ -34,7 +34,7 @@ void describe_parameters(Visitor& v, UprightSearchParameters& p) {
     v("least_cover", p.least_cover, Range{0, 1}, "1", "share of them that have to have the post's colour");
     v("least_rows", p.least_rows, Range{1, 16384}, "1", "scan-lines on which a post has to have its colour");
     v("least_score", p.least_score, Range{-3, 2}, "1",
-      "mean evidence of a row (upright_detector.h) from which on something is a post; 2: each shows both "
+      "mean evidence of a row (upright_evidence.h) from which on something is a post; 2: each shows both "
       "edges");
 }
 

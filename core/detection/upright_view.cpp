@@ -6,6 +6,23 @@
 #include <Eigen/Geometry>
 
 namespace goalmouth {
+namespace {
+
+/// Where the lens says something, and not along the vertical.
+bool usable(const UprightRay& ray) {
+    constexpr double steepest = 1e3;
+    return std::isfinite(ray.azimuth) && std::abs(ray.slope) < steepest;
+}
+
+/// A picture shows hundreds of edge points; of noise that many more come evenly.
+void thin(std::vector<UprightPoint>& points) {
+    constexpr std::size_t most = 4000;
+    if (points.size() <= most) return;
+    for (std::size_t i = 0; i < most; ++i) points[i] = points[i * points.size() / most];
+    points.resize(most);
+}
+
+}  // namespace
 
 std::optional<UprightView> UprightView::make(const Intrinsics& camera, const std::optional<CameraPose>& pose,
                                              double level_sigma) {
@@ -48,15 +65,18 @@ void UprightCandidates::take(const Candidates& candidates, const UprightView& vi
     };
     const auto convert = [&](const std::vector<Eigen::Vector2d>& from, std::vector<UprightPoint>& to) {
         to.clear();
-        for (const Eigen::Vector2d& p : from) to.push_back({view.ray(p), p, row_at(p.y())});
+        for (const Eigen::Vector2d& p : from)
+            if (const UprightRay ray = view.ray(p); usable(ray)) to.push_back({ray, p, row_at(p.y())});
+        thin(to);
     };
     convert(candidates.left_edges, left);
     convert(candidates.right_edges, right);
     runs.clear();
     for (const CandidateSegment& s : candidates.segments) {
         if (s.orientation != Orientation::horizontal) continue;
-        runs.push_back({view.ray({s.start - 0.5, s.line}), view.ray({s.end + 0.5, s.line}), row_at(s.line),
-                        s.start <= 0, s.end >= candidates.width - 1});
+        const UprightRay start = view.ray({s.start - 0.5, s.line}), end = view.ray({s.end + 0.5, s.line});
+        if (usable(start) && usable(end))
+            runs.push_back({start, end, row_at(s.line), s.start <= 0, s.end >= candidates.width - 1});
     }
 }
 

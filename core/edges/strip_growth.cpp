@@ -199,7 +199,8 @@ class Growth {
         if (step.size < least) return std::nullopt;
         const double x = side == ChainSide::left ? locate(y, step.pair, step.outside, step.inside)
                                                  : locate(y, step.pair, step.inside, step.outside);
-        if (std::abs(x - expected) > straightness_) return std::nullopt;
+        if (!(std::abs(x - expected) <= straightness_))
+            return std::nullopt;  // nor where both sides are alike
         return static_cast<float>(x);
     }
 

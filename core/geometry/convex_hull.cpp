@@ -35,7 +35,7 @@ std::vector<Eigen::Vector2d> upper_hull(std::vector<Eigen::Vector2d> points) {
 
 double chain_y_at(std::span<const Eigen::Vector2d> chain, double x) {
     assert(!chain.empty());
-    if (x <= chain.front().x()) return chain.front().y();
+    if (!(x > chain.front().x())) return chain.front().y();
     if (x >= chain.back().x()) return chain.back().y();
     const auto right = std::upper_bound(chain.begin(), chain.end(), x,
                                         [](double value, const Eigen::Vector2d& p) { return value < p.x(); });

@@ -1,6 +1,7 @@
 #include "core/messaging/validation.h"
 
 #include "core/imaging/colour.h"
+#include "core/imaging/colour_gains.h"
 #include "core/imaging/yuyv.h"
 
 #include <algorithm>
@@ -218,9 +219,11 @@ Problem problem(const border_t& m) {
 
 Problem problem(const colour_gains_t& m) {
     if (auto cause = frame_problem(m.utime, m.seq)) return cause;
+    constexpr std::int64_t longest_lead = 60'000'000;  // µs
     if (m.from_utime < m.utime) return "gains that hold before the frame they follow from";
+    if (m.from_utime - m.utime > longest_lead) return "gains that hold long after the frame they follow from";
     for (const double gain : {m.red, m.green, m.blue})
-        if (!finite(gain) || gain < 0.05 || gain > 20.0) return "an impossible gain";
+        if (!finite(gain) || gain < least_gain || gain > largest_gain) return "an impossible gain";
     return {};
 }
 

@@ -15,8 +15,9 @@ void CrossingCurve::follow(const Intrinsics& camera, const Eigen::Vector3d& plan
     constexpr int least_knots = 4;
     constexpr double per_focal_length = 64.0;
     const double length = std::max(1.0, last_row - first_row);
-    const int knots =
-        std::max(least_knots, 1 + static_cast<int>(std::ceil(per_focal_length * length / camera.fy)));
+    // More than rows are of no use, whatever lens a message tells of.
+    const double wanted = std::min(std::ceil(per_focal_length * length / camera.fy), std::ceil(length));
+    const int knots = std::max(least_knots, 1 + static_cast<int>(wanted));
     first_row_ = first_row;
     pitch_ = length / (knots - 1);
     knots_.clear();

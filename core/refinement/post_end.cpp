@@ -34,7 +34,7 @@ class NormalTable {
     }
 
     Normal at(double z) const {
-        const double place = std::clamp(z * per_sigma + middle, 0.0, 2.0 * middle);
+        const double place = std::min(2.0 * middle, std::max(0.0, z * per_sigma + middle));  // NaN: 0
         const double nearest = std::floor(place + 0.5);
         const Normal& n = table_[static_cast<std::size_t>(nearest)];
         const double here = (nearest - middle) / per_sigma, d = (place - nearest) / per_sigma;

@@ -78,7 +78,9 @@ void add_rows(const EdgeRows& rows, const double* plane, const double* change, d
             const auto inverse = hn::Neg(hn::Div(one, hn::IfThenElse(counts, per_px(rows, plane, row), one)));
             const auto part = [&](int k) HWY_ATTR {  // dn/dstep, column by column
                 const auto along = hn::Add(scaled(x, change[3 * k]), scaled(y, change[3 * k + 1]));
-                return hn::Mul(inverse, hn::Add(along, hn::Set(d, change[3 * k + 2])));
+                // Of a row that does not count the column may be no number.
+                return hn::IfThenElseZero(counts,
+                                          hn::Mul(inverse, hn::Add(along, hn::Set(d, change[3 * k + 2]))));
             };
             const auto j0 = part(0), j1 = part(1), j2 = part(2), j3 = part(3);
             const auto variance = hn::Add(hn::Div(one, hn::IfThenElse(counts, information, one)),

@@ -55,8 +55,8 @@ class StepProfile {
     float per_px() const { return per_px_; }
 
     Value at(float x) const {
-        const float place =
-            std::clamp((x + reach_) * per_px_ + 1.0F, 0.0F, static_cast<float>(count_) - 0.5F);
+        const float place = std::min(static_cast<float>(count_) - 0.5F,
+                                     std::max(0.0F, (x + reach_) * per_px_ + 1.0F));  // NaN: 0
         const auto i = static_cast<std::size_t>(place);
         const float way = (place - static_cast<float>(i)) / per_px_;
         const Piece& p = pieces_[i];

@@ -52,6 +52,16 @@ ColoursAdaptModule::ColoursAdaptModule(ModuleContext& context, const Parameters&
 
 void ColoursAdaptModule::take(const border_t& message) {
     if (parameters_.frozen) return;
+    constexpr std::int64_t backwards = 1'000'000;  // µs: a replay began again
+    if (latest_ && message.utime < *latest_ - backwards) {
+        tracker_ = LightTracker(parameters_.light);
+        table_ = base_;
+        said_ = {};
+        said_at_.reset();
+    }
+    latest_ = message.utime;
+    // Whoever began to listen only now, or missed it, hears what holds.
+    if (said_at_ && message.utime - *said_at_ >= microseconds(parameters_.repeat)) publish_gains(message);
     const Frame* frame = frames_.find(message.utime, message.seq, message.intrinsics);
     if (frame == nullptr) {
         context_.status.count("without_picture", 1);
@@ -74,8 +84,12 @@ void ColoursAdaptModule::say(const border_t& message) {
     if (largest_change(tracker_.gains(), said_) < parameters_.least_change) return;
     if (said_at_ && message.utime - *said_at_ < microseconds(parameters_.interval)) return;
     said_ = tracker_.gains();
-    said_at_ = message.utime;
     table_ = adapted(base_, said_);
+    publish_gains(message);
+}
+
+void ColoursAdaptModule::publish_gains(const border_t& message) {
+    said_at_ = message.utime;
     publish(context_.bus, context_.channel(channels::colour_gains),
             to_message(said_, message.utime, message.seq, message.utime + microseconds(parameters_.lead)));
     context_.status.output(message.utime);

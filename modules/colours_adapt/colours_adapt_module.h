@@ -25,6 +25,7 @@ class ColoursAdaptModule : public Module {
         double interval = 0.5;
         double lead = 0.3;
         double least_change = 0.02;
+        double repeat = 2.0;
         LightTrackerParameters light;
     };
     static ModuleInfo info();
@@ -33,6 +34,7 @@ class ColoursAdaptModule : public Module {
   private:
     void take(const border_t& message);
     void say(const border_t& message);
+    void publish_gains(const border_t& message);
 
     ModuleContext& context_;
     Parameters parameters_;
@@ -41,6 +43,7 @@ class ColoursAdaptModule : public Module {
     LightTracker tracker_;
     ColourGains said_;
     std::optional<std::int64_t> said_at_;  // µs
+    std::optional<std::int64_t> latest_;   // µs
     KeptFrames frames_;
     ImageInput images_;
 };
@@ -56,6 +59,8 @@ void describe_parameters(Visitor& v, ColoursAdaptModule::Parameters& p) {
       "way, so that a replay takes them for the same frames");
     v("least_change", p.least_change, Range{0, 1}, "1",
       "gains are said once one differs by that share from what was said");
+    v("repeat", p.repeat, Range{0.1, 3600}, "s",
+      "gains are said again after so long, for a segmentation that missed them or was started since");
     v.group("light", p.light, "how the field's look is followed");
 }
 

@@ -12,6 +12,7 @@ namespace goalmouth {
 namespace {
 
 constexpr std::size_t gains_kept = 64;
+constexpr std::int64_t backwards = 1'000'000;  // µs
 
 }  // namespace
 
@@ -43,11 +44,13 @@ SegmentationModule::SegmentationModule(ModuleContext& context, const Parameters&
     subscribe<kinematics_t>(
         context.bus, context.channel(channels::kinematics),
         [this](const kinematics_t& message) { poses_.add(message.utime, camera_pose(message)); });
-    subscribe<colour_gains_t>(context.bus, context.channel(channels::colour_gains),
-                              [this](const colour_gains_t& message) {
-                                  gains_[message.from_utime] = from_message(message);
-                                  if (gains_.size() > gains_kept) gains_.erase(gains_.begin());
-                              });
+    subscribe<colour_gains_t>(
+        context.bus, context.channel(channels::colour_gains), [this](const colour_gains_t& message) {
+            // Time ran back: a replay began again.
+            if (!gains_.empty() && message.from_utime < gains_.rbegin()->first - backwards) gains_.clear();
+            gains_[message.from_utime] = from_message(message);
+            if (gains_.size() > gains_kept) gains_.erase(gains_.begin());
+        });
 }
 
 void SegmentationModule::adapt_to(std::int64_t utime) {

@@ -65,7 +65,9 @@ void read_log(const Source& source, const std::vector<bool>& wanted, std::size_t
               std::vector<NamedPicture>& pictures) {
     std::size_t i = first;
     each_frame(source.file, [&](const Frame& frame) {
-        if (wanted[i++])
+        // A log may still grow: what came since it was counted is left alone.
+        const std::size_t place = i++;
+        if (place < first + source.pictures && wanted[place])
             pictures.push_back(
                 {fs::path(source.file).filename().string() + ", frame " + std::to_string(frame.seq),
                  copy_of(frame.pixels)});

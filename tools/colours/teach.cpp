@@ -37,7 +37,8 @@ ColourBox read_line(const std::string& text, const fs::path& file, int line) {
                    "\" is not PICTURE CLASS X0 Y0 X1 Y1, such as \"1.png goal 507 20 520 180\"");
     const auto found = std::find(colour_names.begin(), colour_names.end(), name);
     if (found == colour_names.end()) throw fail("unknown class \"" + name + "\"; valid: " + known_classes());
-    if (x0 < 0 || y0 < 0 || x1 < x0 || y1 < y0)
+    constexpr int largest = 1 << 20;  // px, larger than any picture
+    if (x0 < 0 || y0 < 0 || x1 < x0 || y1 < y0 || x1 > largest || y1 > largest)
         throw fail(
             "a box runs from its upper left corner to its lower right one, 0 0 being the picture's first "
             "pixel");

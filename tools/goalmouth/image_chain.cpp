@@ -80,6 +80,8 @@ std::vector<GraphProcess> stages_to(const std::string& result, const Graph& grap
             if (!needed) continue;
             taken[i] = grew = true;
             for (const ChannelUse& use : info.subscribes) {
+                // What is optional may carry something over from one picture to the next.
+                if (use.optional) continue;
                 if (use.type != "image_t" && use.type != result) wanted.insert(process.channel(use.channel));
             }
         }

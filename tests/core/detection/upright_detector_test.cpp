@@ -170,7 +170,7 @@ TEST(UprightDetector, DoesNotTakePolesOfOtherHeightsForPosts) {
 }
 
 TEST(UprightDetector, DoesNotTakeWhatHangsOnAWallForAPost) {
-    // As wide and as high as a post two metres away, but a metre above the ground.
+    // As wide and as high as a post two metres away, but hung 60 cm above the ground.
     Robot robot;
     Candidates c = empty_frame(robot.camera);
     Cylinder poster = post_at(2.0, 0.0);
@@ -245,6 +245,56 @@ TEST(UprightDetector, FindsNothingInNothingAndNoise) {
         }
         EXPECT_TRUE(detect(c, robot, robot.told()).empty()) << frame;
     }
+}
+
+TEST(UprightDetector, BearsLensesThatFoldBackAndNumbersWithoutMeasure) {
+    Robot robot;
+    robot.camera.fx = robot.camera.fy = 300.0;
+    Candidates c = empty_frame(robot.camera);
+    for (int y = 2; y < c.height; y += spacing) {
+        for (int x = 5; x < 600; x += 90) {
+            c.segments.push_back({Orientation::horizontal, y, x, x + 20});
+            c.left_edges.emplace_back(x - 0.5, y);
+            c.right_edges.emplace_back(x + 20.5, y);
+        }
+    }
+    for (const double k1 : {-0.4, -3.0, 1e300}) {
+        robot.camera.distortion = {k1, 0.0, 0.0, 0.0, 0.0};
+        for (const Post& post : detect(c, robot, robot.told())) EXPECT_TRUE(post.left_top.allFinite()) << k1;
+    }
+    robot.camera.distortion = {};
+    robot.camera.cx = 1e308;
+    robot.camera.fx = 0.1;
+    detect(c, robot, robot.told());
+    robot.camera = {};
+    robot.camera.fx = robot.camera.fy = 1e-3;
+    CameraPose pose = robot.told();
+    pose.covariance.setZero();
+    pose.T_BC.translation().z() = 1e6;
+    detect(c, robot, pose);
+}
+
+TEST(UprightDetector, ManyPointsOfNoiseAreThinnedOut) {
+    Robot robot;
+    Random random(5);
+    Candidates c = empty_frame(robot.camera);
+    for (int i = 0; i < 100'000; ++i) {
+        const int y = 2 + spacing * static_cast<int>(random.index(119));
+        c.left_edges.emplace_back(random.uniform(0.0, 639.0), y);
+        c.right_edges.emplace_back(random.uniform(0.0, 639.0), y);
+    }
+    EXPECT_TRUE(detect(c, robot, robot.told()).empty());
+}
+
+TEST(UprightDetector, APostIsNotSeenThroughANearerOne) {
+    Robot robot;
+    Candidates c = empty_frame(robot.camera);
+    add(c, robot, post_at(1.0, 0.0), [](Row& row, double) { row.left_edge = row.right_edge = false; });
+    add(c, robot, post_at(6.0, 0.0));
+    add(c, robot, post_at(1.0, 0.0));
+    const auto posts = detect(c, robot, robot.told());
+    for (std::size_t i = 0; i + 1 < posts.size(); ++i)
+        EXPECT_GT(posts[i + 1].left_base.x(), posts[i].right_base.x() - 2.0);
 }
 
 TEST(UprightDetector, BearsPosesThatMakeNoSense) {

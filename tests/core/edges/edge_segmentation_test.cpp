@@ -273,6 +273,22 @@ void expect_whole_lines(const Segments& segments, const ScanLayout& layout) {
     ASSERT_EQ(next, static_cast<int>(segments.segments.size()));
 }
 
+TEST(EdgeSegmenter, BearsSidesThatAreAlikeButForOnePair) {
+    // White on white with one dark pair between them: beyond the pair there is no step.
+    EdgeScene scene;
+    scene.noise = 0.0;
+    YuyvImage image = scene.draw();
+    for (int y = 40; y < 330; ++y) {
+        std::uint8_t* row = image.data.data() + y * image.stride();
+        for (int x = 240; x < 400; x += 2) {
+            const bool dark = x == 300 || (y < 120 && x < 300);
+            row[2 * x] = row[2 * x + 2] = dark ? 0 : 255;
+            row[2 * x + 1] = row[2 * x + 3] = 128;
+        }
+    }
+    expect_whole_lines(segments_of(image), layout_for(image));
+}
+
 TEST(EdgeSegmenter, CoversEveryLineFromEndToEnd) {
     EdgeScene scene;
     scene.noise = 8.0;

@@ -1,6 +1,7 @@
 #include "core/geometry/convex_hull.h"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -78,6 +79,14 @@ TEST(UpperHull, DoesNotDependOnTheOrderOfThePoints) {
         std::shuffle(points.begin(), points.end(), random);
         EXPECT_EQ(upper_hull(points), hull);
     }
+}
+
+TEST(ChainYAt, IsTheEndsBeyondThemAndOfNoNumberTheFirst) {
+    const Points chain{{10.0, 1.0}, {20.0, 3.0}, {30.0, 2.0}};
+    EXPECT_EQ(chain_y_at(chain, 0.0), 1.0);
+    EXPECT_EQ(chain_y_at(chain, 15.0), 2.0);
+    EXPECT_EQ(chain_y_at(chain, 31.0), 2.0);
+    EXPECT_EQ(chain_y_at(chain, std::nan("")), 1.0);
 }
 
 }  // namespace

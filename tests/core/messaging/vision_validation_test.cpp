@@ -18,6 +18,7 @@ TEST(Validation, GainsAreFactors) {
                                                 [](M& m) { m.utime = -1; },
                                                 [](M& m) { m.seq = -1; },
                                                 [](M& m) { m.from_utime = m.utime - 1; },
+                                                [](M& m) { m.from_utime = m.utime + 60'000'001; },
                                                 [](M& m) { m.red = 0.0; },
                                                 [](M& m) { m.green = 21.0; },
                                                 [](M& m) { m.blue = std::nan(""); },

@@ -98,6 +98,9 @@ class Robot {
         return posts_;
     }
 
+    /// A replay begins again.
+    void begin_again() { seq_ = 0; }
+
     std::vector<colour_gains_t> said;
 
   private:
@@ -215,6 +218,33 @@ TEST_F(ColoursAdapt, AViewWithoutFieldChangesNothing) {
     }
     EXPECT_TRUE(robot.said.empty());
     EXPECT_EQ(robot.sees(lit(venue().bgr[0], {})).size(), venue().posts[0].size());
+}
+
+TEST_F(ColoursAdapt, SaysAgainWhatHoldsForThoseWhoMissedIt) {
+    Robot robot(table(), true);
+    change(robot, {0.7, 0.7, 0.7});
+    for (int i = 0; i < 30; ++i) robot.sees(lit(venue().bgr[0], {0.7, 0.7, 0.7}));
+    const std::size_t before = robot.said.size();
+    ASSERT_GT(before, 0U);
+    // Also where nothing can be seen of the field.
+    const YuyvImage wall = yuyv_from_bgr(cv::Mat(480, 640, CV_8UC3, cv::Scalar(150, 158, 160)));
+    for (int i = 0; i < 50; ++i) robot.sees(wall);
+    ASSERT_GE(robot.said.size(), before + 2);
+    EXPECT_EQ(robot.said.back().red, robot.said[before - 1].red);
+}
+
+TEST_F(ColoursAdapt, BeginsAnewWhereTimeRunsBack) {
+    Robot robot(table(), true), fresh(table(), true);
+    change(robot, {0.7, 0.7, 0.7});
+    robot.begin_again();
+    robot.said.clear();
+    change(robot, {0.8, 0.7, 0.6});
+    change(fresh, {0.8, 0.7, 0.6});
+    ASSERT_EQ(robot.said.size(), fresh.said.size());
+    for (std::size_t i = 0; i < robot.said.size(); ++i) {
+        EXPECT_EQ(robot.said[i].utime, fresh.said[i].utime);
+        EXPECT_EQ(robot.said[i].red, fresh.said[i].red);
+    }
 }
 
 TEST_F(ColoursAdapt, FrozenItSaysNothing) {

@@ -13,6 +13,7 @@
 #include "tests/support/example_messages.h"
 #include "tests/support/post_scene.h"
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -99,6 +100,37 @@ TEST(UprightDetectionModule, GoesOnWithoutKinematics) {
     ASSERT_EQ(rig.heard.size(), 60U) << "what waits is answered at the end";
     for (int seq = 0; seq < 60; ++seq) EXPECT_EQ(rig.heard[static_cast<std::size_t>(seq)].seq, seq);
     EXPECT_EQ(rig.counter("frames_without_kinematics"), 60.0);
+}
+
+/// Two edges that run straight down, as of a post 10 cm thick and 1.7 m away that ends above the ground.
+Candidates hung_up() {
+    Candidates c;
+    c.width = 640;
+    c.height = 480;
+    for (int y = 2; y < 200; y += 4) {
+        c.segments.push_back({Orientation::horizontal, y, 300, 332});
+        c.left_edges.emplace_back(299.5, y);
+        c.right_edges.emplace_back(332.5, y);
+    }
+    return c;
+}
+
+TEST(UprightDetectionModule, KnowsWhereTheGroundIsByTheKinematicsOfTheFrame) {
+    Rig rig;
+    rig.send_kinematics(0);
+    publish(rig.mouth, channels::candidates, to_message(hung_up(), Rig::time_of(0), 0, Intrinsics{}));
+    rig.hub.run_until_idle();
+    ASSERT_EQ(rig.heard.size(), 1U);
+    EXPECT_EQ(rig.heard[0].num_posts, 0);
+
+    UprightDetectionModule::Parameters parameters;
+    parameters.timing.wait = 0.0;
+    Rig blind(parameters);
+    publish(blind.mouth, channels::candidates, to_message(hung_up(), Rig::time_of(0), 0, Intrinsics{}));
+    blind.hub.run_until_idle();
+    ASSERT_EQ(blind.heard.size(), 1U);
+    ASSERT_EQ(blind.heard[0].num_posts, 1);
+    EXPECT_NEAR(blind.heard[0].posts[0].distance_m, 0.05 / std::sin(0.5 * 33.0 / 554.26), 0.02);
 }
 
 TEST(UprightDetectionModule, RefusesAFieldThatIsNotThere) {
