@@ -1,4 +1,5 @@
 #include "tools/evaluate/images_report.h"
+#include "tools/goalmouth/image_chain.h"
 
 #include <algorithm>
 #include <array>
@@ -183,7 +184,9 @@ ordered_json images_json(const ImagesResult& result) {
                        {{"fraction", hand_marked_rule.fraction},
                         {"floor_px", hand_marked_rule.floor},
                         {"coverage", hand_marked_rule.coverage}}}};
-    if (options.colours.empty()) {
+    if (std::none_of(options.detectors.begin(), options.detectors.end(), takes_colours)) {
+        j["colours"] = nullptr;
+    } else if (options.colours.empty()) {
         j["colours"] = {{"folds", options.folds}, {"without_labels", options.without_labels}};
     } else {
         j["colours"] = {{"table", options.colours.string()}};

@@ -8,6 +8,7 @@
 #include "tools/evaluate/report/html_page.h"
 #include "tools/evaluate/report/report_folder.h"
 #include "tools/evaluate/scored_overlay.h"
+#include "tools/goalmouth/image_chain.h"
 #include "tools/goalmouth/output.h"
 #include "tools/goalmouth/overlay.h"
 
@@ -155,6 +156,8 @@ class Overlays {
 
 std::string colours_sentence(const ImagesOptions& options) {
     if (!options.colours.empty()) return "The colour table is " + options.colours.filename().string() + ".";
+    if (std::none_of(options.detectors.begin(), options.detectors.end(), takes_colours))
+        return "No detector takes a colour table.";
     return fmt::format(
         "Colour tables were learnt from {} of the same set in {} folds: the table a picture is judged with "
         "never "
