@@ -1,6 +1,7 @@
 #include "core/detection/ransac_detector.h"
 
 #include "core/detection/edge_lines.h"
+#include "core/detection/post_order.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,13 +25,6 @@ Post corners(const EdgeLine& left, const EdgeLine& right) {
     return post;
 }
 
-/// Keeps them from left to right; of posts at one place the first stays first.
-void insert(std::vector<Post>& posts, const Post& post) {
-    const auto behind = std::upper_bound(posts.begin(), posts.end(), post.left_base.x(),
-                                         [](double x, const Post& other) { return x < other.left_base.x(); });
-    posts.insert(behind, post);
-}
-
 bool is_paired(const std::vector<EdgePair>& pairs, std::size_t EdgePair::*side, std::size_t i) {
     return std::any_of(pairs.begin(), pairs.end(), [&](const EdgePair& p) { return p.*side == i; });
 }
@@ -46,7 +40,7 @@ const std::vector<Post>& RansacDetector::detect(const Candidates& candidates, co
     posts_.clear();
     const auto add = [&](Post post, double left_sigma, double right_sigma) {
         measure_post(post, camera, diameter_, left_sigma, right_sigma, parameters_.measurement);
-        insert(posts_, post);
+        insert_from_left(posts_, post);
     };
     for (const auto& [i, j] : pairs)
         add(corners(left[i], right[j]), place_sigma(left[i]), place_sigma(right[j]));

@@ -1,5 +1,6 @@
 #include "core/detection/upright_detector.h"
 
+#include "core/detection/post_order.h"
 #include "core/geometry/line.h"
 
 #include <algorithm>
@@ -13,15 +14,10 @@ namespace goalmouth {
 namespace {
 
 constexpr double least_roll_sigma = 1e-3;    // rad
+constexpr double roll_sigmas = 3.0;          // rolls are tried as far from the measured vertical as this
+constexpr double most_roll = 0.7;            // rad, and no farther
 constexpr std::size_t most_peaks = 10;       // of a side, for one roll
 constexpr std::size_t most_hypotheses = 24;  // that are judged
-
-/// Keeps posts from left to right.
-void insert(std::vector<Post>& posts, const Post& post) {
-    const auto behind = std::upper_bound(posts.begin(), posts.end(), post.left_base.x(),
-                                         [](double x, const Post& other) { return x < other.left_base.x(); });
-    posts.insert(behind, post);
-}
 
 }  // namespace
 
@@ -30,7 +26,7 @@ UprightDetector::UprightDetector(const UprightDetectorParameters& parameters, co
       size_{0.5 * field.post_diameter, field.goal_height + 0.5 * field.post_diameter},
       narrowest_(2.0 * std::asin(std::min(1.0, size_.radius / parameters.search.farthest))),
       widest_(2.0 * std::asin(std::min(1.0, size_.radius / parameters.search.nearest))),
-      judge_(parameters.search, size_) {}
+      judge_(size_) {}
 
 /// Of the rows it would be seen in were all of it in the picture, some are reason enough.
 double UprightDetector::usual_rows(const UprightEdges& edges) const {
@@ -39,17 +35,21 @@ double UprightDetector::usual_rows(const UprightEdges& edges) const {
     return usual * size_.height / distance * view_scale_ / row_step_;
 }
 
-/// Points near its edges and between its ends; 0 where either edge has next to none.
-int UprightDetector::points_along(const UprightView& view, const UprightEdges& edges,
-                                  double tolerance) const {
+UprightDetector::Ends UprightDetector::ends_of(const UprightView& view, const UprightEdges& edges) const {
     const double distance = size_.radius / std::sin(edges.half_angle());
     const double height = view.height().value_or(0.5 * size_.height);
     const double slack = 2.0 * view.attitude_sigma() + 0.1 * size_.height / distance;
-    const double top = (size_.height - height) / distance + slack, base = -height / distance - slack;
+    return {(size_.height - height) / distance + slack, -height / distance - slack};
+}
+
+/// Points near its edges and between its ends; 0 where either edge has next to none.
+int UprightDetector::points_along(const UprightView& view, const UprightEdges& edges,
+                                  double tolerance) const {
+    const Ends ends = ends_of(view, edges);
     const auto count = [&](const std::vector<UprightPoint>& from, double azimuth) {
         int n = 0;
         for (const UprightPoint& p : from)
-            n += static_cast<int>(p.ray.slope < top) & static_cast<int>(p.ray.slope > base) &
+            n += static_cast<int>(p.ray.slope < ends.top) & static_cast<int>(p.ray.slope > ends.base) &
                  static_cast<int>(std::abs(p.ray.azimuth - azimuth - edges.roll * p.ray.slope) < tolerance);
         return n;
     };
@@ -65,8 +65,7 @@ void UprightDetector::suggest(const UprightView& view, double tolerance) {
     double steepest = 0.0;
     for (const auto* points : {&seen_.left, &seen_.right})
         for (const UprightPoint& p : *points) steepest = std::max(steepest, std::abs(p.ray.slope));
-    constexpr double sigmas = 3.0, most_roll = 0.7;  // rad
-    const double reach = std::min(sigmas * roll_sigma_, most_roll);
+    const double reach = std::min(roll_sigmas * roll_sigma_, most_roll);
     constexpr int most_steps = 100;  // to either side
     const double step = std::max(2.0 * tolerance / std::max(steepest, 0.1), reach / most_steps);
     const int steps = static_cast<int>(std::ceil(reach / step));
@@ -111,16 +110,13 @@ void UprightDetector::suggest(const UprightView& view, double tolerance) {
 UprightEdges UprightDetector::fitted(const UprightView& view, const UprightEdges& start,
                                      double tolerance) const {
     UprightEdges edges = start;
-    const double height = view.height().value_or(0.5 * size_.height);
     for (const double near : {2.0 * tolerance, 1.3 * tolerance, tolerance}) {
-        const double distance = size_.radius / std::sin(edges.half_angle());
-        const double slack = 2.0 * view.attitude_sigma() + 0.1 * size_.height / distance;
-        const double top = (size_.height - height) / distance + slack, base = -height / distance - slack;
+        const Ends ends = ends_of(view, edges);
         Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // left, right, roll
         Eigen::Vector3d pull = Eigen::Vector3d::Zero();
         const auto add = [&](const std::vector<UprightPoint>& points, double azimuth, int part) {
             for (const UprightPoint& p : points) {
-                if (!(p.ray.slope < top && p.ray.slope > base)) continue;
+                if (!(p.ray.slope < ends.top && p.ray.slope > ends.base)) continue;
                 const double miss = p.ray.azimuth - azimuth - edges.roll * p.ray.slope;
                 if (std::abs(miss) > near) continue;
                 Eigen::Vector3d j(0.0, 0.0, p.ray.slope);
@@ -211,7 +207,7 @@ std::optional<Post> UprightDetector::post_of(const Found& found, const UprightVi
     return post;
 }
 
-/// The edge with most points among those that no post has taken, as a line in the picture; takes them.
+/// The edge with most points among those that no post has taken, as a line in the picture.
 std::optional<EdgeLine> UprightDetector::free_edge(const std::vector<UprightPoint>& points, bool left,
                                                    double tolerance) {
     free_.clear();
@@ -222,16 +218,19 @@ std::optional<EdgeLine> UprightDetector::free_edge(const std::vector<UprightPoin
         });
         if (!taken) free_.push_back(p);
     }
-    const double reach = std::min(3.0 * roll_sigma_, 0.7);
-    const double step = 0.01;
+    const double reach = std::min(roll_sigmas * roll_sigma_, most_roll);
+    constexpr double step = 0.01;
     int most = 0;
     double azimuth = 0.0, roll = 0.0;
-    for (int i = 0; i * step <= reach; ++i) {
-        for (const double r : {i * step, -i * step}) {
-            votes_.find(free_, r, tolerance, parameters_.search.least_rows, 1, left_);
-            if (!left_.empty() && left_[0].points > most)
-                most = left_[0].points, azimuth = left_[0].azimuth, roll = r;
-        }
+    const auto try_roll = [&](double r) {
+        votes_.find(free_, r, tolerance, parameters_.search.least_rows, 1, left_);
+        if (!left_.empty() && left_[0].points > most)
+            most = left_[0].points, azimuth = left_[0].azimuth, roll = r;
+    };
+    try_roll(0.0);
+    for (int i = 1; i * step <= reach; ++i) {
+        try_roll(i * step);
+        try_roll(-i * step);
     }
     if (most == 0) return std::nullopt;
     edge_points_.clear();
@@ -254,12 +253,12 @@ void UprightDetector::add_cut_posts(const Candidates& candidates, const Intrinsi
                                        parameters_.cut_posts);
         if (!post) continue;
         measure_post(*post, camera, 2.0 * size_.radius, 0.0, 0.0, parameters_.measurement);
-        insert(posts_, *post);
+        insert_from_left(posts_, *post);
     }
     if (!posts_.empty()) return;
     if (auto post = post_that_fills_image(candidates, parameters_.cut_posts)) {
         measure_post(*post, camera, 2.0 * size_.radius, 0.0, 0.0, parameters_.measurement);
-        insert(posts_, *post);
+        insert_from_left(posts_, *post);
     }
 }
 
@@ -300,7 +299,7 @@ const std::vector<Post>& UprightDetector::detect(const Candidates& candidates, c
         const auto post = post_of(next, *view, camera);
         if (!post) continue;
         taken_.push_back(next);
-        insert(posts_, *post);
+        insert_from_left(posts_, *post);
     }
     add_cut_posts(candidates, camera, tolerance);
     assign_sides(posts_, candidates, parameters_.sides);

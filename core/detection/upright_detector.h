@@ -56,6 +56,11 @@ class UprightDetector {
     };
 
     void suggest(const UprightView& view, double tolerance);
+    /// Slopes between which a post with such edges may show, for certain.
+    struct Ends {
+        double top, base;
+    };
+    Ends ends_of(const UprightView& view, const UprightEdges& edges) const;
     double usual_rows(const UprightEdges& edges) const;
     int points_along(const UprightView& view, const UprightEdges& edges, double tolerance) const;
     /// Least squares of the points near its edges and between its ends.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/detection/upright_parameters.h"
 #include "core/detection/upright_view.h"
 
 #include <cmath>
@@ -51,8 +50,7 @@ struct UprightEvidence {
 /// The picture's border is no edge, and no missing one.
 class UprightJudge {
   public:
-    UprightJudge(const UprightSearchParameters& parameters, const UprightSize& size)
-        : parameters_(parameters), size_(size) {}
+    explicit UprightJudge(const UprightSize& size) : size_(size) {}
 
     UprightEvidence judge(const UprightCandidates& candidates, const UprightView& view,
                           const UprightEdges& edges, double tolerance);
@@ -65,7 +63,6 @@ class UprightJudge {
     void look(const UprightCandidates& candidates, const UprightView& view, const UprightEdges& edges,
               double tolerance);
 
-    UprightSearchParameters parameters_;
     UprightSize size_;
     std::vector<Row> rows_;
     std::vector<double> inside_, outside_;  // sums of rows' counts, before each row

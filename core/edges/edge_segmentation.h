@@ -41,7 +41,8 @@ struct JudgedStrip {
 /// with transitions to a fraction of a pixel; an edge that the row does not show lies on its line through the
 /// others. The field is Colour::field to a sample's accuracy, where it begins in a column to a pixel's; all
 /// else is unclassified. Rows first, then columns, in the layout's order, which has to be ascending; lines
-/// outside the picture are left out. Only pixels on scan-lines are looked at.
+/// outside the picture are left out. Pixels on scan-lines are looked at, and where a column meets the field's
+/// border a few between them.
 class EdgeSegmenter {
   public:
     explicit EdgeSegmenter(const EdgeSegmentationParameters& parameters);

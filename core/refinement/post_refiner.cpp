@@ -108,6 +108,7 @@ PostRefiner::Start PostRefiner::start(YuyvView image, const Intrinsics& camera, 
         found.outline = *outline;
         const double width = outline->width();
         if (!(width >= parameters_.least_width)) return "too narrow";
+        // Read as light they have been read as levels before.
         if (response == CameraResponse::linear) fetch_edges(image, *outline);
         if (!colours_.estimate(image, *outline, parameters_, response, found.colour))
             return "no colour of its own";

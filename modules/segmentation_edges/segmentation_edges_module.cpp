@@ -11,6 +11,7 @@
 #include <optional>
 
 namespace goalmouth {
+
 ModuleInfo EdgeSegmentationModule::info() {
     return {"segmentation_edges",
             "Finds posts and field on scan-lines by edges, without a colour table.",

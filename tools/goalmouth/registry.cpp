@@ -18,18 +18,13 @@
 namespace goalmouth {
 
 const std::vector<ModuleType>& module_types() {
-    static const std::vector<ModuleType> types{module_type<CameraModule>(),
-                                               module_type<SimulatorModule>(),
-                                               module_type<SegmentationModule>(),
-                                               module_type<EdgeSegmentationModule>(),
-                                               module_type<ExtractionModule>(),
-                                               module_type<ColoursAdaptModule>(),
-                                               module_type<RansacDetectionModule>(),
-                                               module_type<HistogramDetectionModule>(),
-                                               module_type<UprightDetectionModule>(),
-                                               module_type<RefinementModule>(),
-                                               module_type<LocalisationModule>(),
-                                               module_type<TapModule>()};
+    static const std::vector<ModuleType> types{
+        module_type<CameraModule>(),           module_type<SimulatorModule>(),
+        module_type<SegmentationModule>(),     module_type<EdgeSegmentationModule>(),
+        module_type<ExtractionModule>(),       module_type<ColoursAdaptModule>(),
+        module_type<RansacDetectionModule>(),  module_type<HistogramDetectionModule>(),
+        module_type<UprightDetectionModule>(), module_type<RefinementModule>(),
+        module_type<LocalisationModule>(),     module_type<TapModule>()};
     return types;
 }
 

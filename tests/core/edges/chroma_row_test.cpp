@@ -130,6 +130,8 @@ TEST(ChromaRow, KnowsTheFieldAsItsColourDoes) {
             EXPECT_EQ(is_field[static_cast<std::size_t>(i)] != 0, field->contains(row.mean(i, i + 1))) << i;
             yes += is_field[static_cast<std::size_t>(i)];
         }
+        // The last one has no neighbour to the right.
+        EXPECT_EQ(is_field.back() != 0, field->contains(row.at(row.pairs() - 1)));
         EXPECT_GT(yes, 20);
         EXPECT_LT(yes, row.pairs() - 20);
     });
