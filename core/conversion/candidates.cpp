@@ -8,6 +8,7 @@ namespace goalmouth {
 namespace {
 
 constexpr std::size_t segment_bytes = 7;
+constexpr std::size_t field_bytes = 6;
 constexpr std::size_t point_bytes = 8;
 
 /// The share budget/needed of the items, evenly spread; all where they fit.
@@ -32,12 +33,18 @@ candidates_t to_message(const Candidates& candidates, std::int64_t utime, std::i
     const auto fixed = static_cast<std::size_t>(m.getEncodedSize());
     const std::size_t budget = limit > fixed ? limit - fixed : 0;
     const std::size_t needed = segment_bytes * candidates.segments.size() +
+                               field_bytes * candidates.field.size() +
                                point_bytes * (candidates.left_edges.size() + candidates.right_edges.size());
     for (const CandidateSegment& s : thinned(candidates.segments, budget, needed)) {
         m.orientation.push_back(static_cast<std::int8_t>(s.orientation));
         m.line.push_back(static_cast<std::int16_t>(s.line));
         m.start.push_back(static_cast<std::int16_t>(s.start));
         m.end.push_back(static_cast<std::int16_t>(s.end));
+    }
+    for (const FieldRun& f : thinned(candidates.field, budget, needed)) {
+        m.field_line.push_back(static_cast<std::int16_t>(f.line));
+        m.field_start.push_back(static_cast<std::int16_t>(f.start));
+        m.field_end.push_back(static_cast<std::int16_t>(f.end));
     }
     for (const auto& p : thinned(candidates.left_edges, budget, needed)) {
         m.left_x.push_back(static_cast<float>(p.x()));
@@ -48,6 +55,7 @@ candidates_t to_message(const Candidates& candidates, std::int64_t utime, std::i
         m.right_y.push_back(static_cast<float>(p.y()));
     }
     m.num_segments = static_cast<std::int32_t>(m.line.size());
+    m.num_field = static_cast<std::int32_t>(m.field_line.size());
     m.num_left = static_cast<std::int32_t>(m.left_x.size());
     m.num_right = static_cast<std::int32_t>(m.right_x.size());
     return m;
@@ -61,6 +69,8 @@ Candidates from_message(const candidates_t& m) {
         candidates.segments.push_back(
             {static_cast<Orientation>(m.orientation[i]), m.line[i], m.start[i], m.end[i]});
     }
+    for (std::size_t i = 0; i < m.field_line.size(); ++i)
+        candidates.field.push_back({m.field_line[i], m.field_start[i], m.field_end[i]});
     for (std::size_t i = 0; i < m.left_x.size(); ++i)
         candidates.left_edges.emplace_back(m.left_x[i], m.left_y[i]);
     for (std::size_t i = 0; i < m.right_x.size(); ++i)

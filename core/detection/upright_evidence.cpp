@@ -8,6 +8,8 @@ namespace {
 
 // What a row within a post's ends counts.
 constexpr double both_edges = 2.0, one_edge = 1.0, no_edge = -0.3, hidden = -0.8, hidden_top = -1.5;
+// What it counts besides where all between the edges is field.
+constexpr double shows_field = -3.0;
 // And one beyond them.
 constexpr double goes_on_beside = -0.75, goes_on = -5.0;
 
@@ -77,6 +79,14 @@ void UprightJudge::look(const UprightCandidates& candidates, const UprightView& 
         row.cut =
             row.cut || (run.cut_left && begin > -tolerance) || (run.cut_right && end < width + tolerance);
     }
+    const double between = width - 2.0 * tolerance;
+    for (const UprightRun& run : candidates.field) {
+        if (run.row < 0 || !(between > 0.0)) continue;
+        const double begin = run.start.azimuth - edges.roll * run.start.slope - edges.left;
+        const double end = run.end.azimuth - edges.roll * run.end.slope - edges.left;
+        const double overlap = std::min(end, width - tolerance) - std::max(begin, tolerance);
+        if (overlap > 0.0) rows_[static_cast<std::size_t>(run.row)].field += overlap / between;
+    }
 }
 
 UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const UprightView& view,
@@ -100,6 +110,7 @@ UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const U
             if (row.cut) in = std::max(in, 0.5 * one_edge) + 0.5 * one_edge;
             out = seen == 2 ? goes_on : seen == 1 ? goes_on_beside : 0.0;
         }
+        in += shows_field * std::min(1.0, row.field);
         inside_[i + 1] = inside_[i] + in;
         outside_[i + 1] = outside_[i] + out;
     }

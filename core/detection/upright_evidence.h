@@ -44,7 +44,8 @@ struct UprightEvidence {
 ///      1  one edge alone is: on the other side there may be something of the same colour,
 ///   −0.3  the colour goes on on both sides,
 ///   −0.8  it has another colour: something stands before it, or it is no post,
-///   −1.5  the same, above all that shows an edge: what stands on the field hides feet sooner than tops;
+///   −1.5  the same, above all that shows an edge: what stands on the field hides feet sooner than tops,
+///     −3  besides, as far as the field shows between the edges: nothing hides the post there, there is none;
 /// and one above or below the ends, where there is no post,
 ///   −0.75 for one edge, −5 for both where a post's would be, beside its colour: it is longer than posts are.
 /// The picture's border is no edge, and no missing one.
@@ -59,6 +60,7 @@ class UprightJudge {
     struct Row {
         double slope = 0.0;
         bool covered = false, left = false, right = false, cut = false;
+        double field = 0.0;  // share of what lies between the edges, but for the tolerance
     };
     void look(const UprightCandidates& candidates, const UprightView& view, const UprightEdges& edges,
               double tolerance);

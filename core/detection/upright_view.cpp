@@ -78,10 +78,17 @@ void UprightCandidates::take(const Candidates& candidates, const UprightView& vi
         if (usable(start) && usable(end))
             runs.push_back({start, end, row_at(s.line), s.start <= 0, s.end >= candidates.width - 1});
     }
+    field.clear();
+    for (const FieldRun& f : candidates.field) {
+        const UprightRay start = view.ray({f.start - 0.5, f.line}), end = view.ray({f.end + 0.5, f.line});
+        if (usable(start) && usable(end)) field.push_back({start, end, row_at(f.line), false, false});
+    }
 }
 
 void UprightCandidates::find_rows(const Candidates& candidates) {
     rows.clear();
+    for (const FieldRun& f : candidates.field)
+        if (f.line >= 0 && f.line < candidates.height) rows.push_back(f.line);
     for (const CandidateSegment& s : candidates.segments)
         if (s.orientation == Orientation::horizontal && s.line >= 0 && s.line < candidates.height)
             rows.push_back(s.line);

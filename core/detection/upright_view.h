@@ -63,8 +63,9 @@ class UprightView {
 class UprightCandidates {
   public:
     std::vector<UprightPoint> left, right;
-    std::vector<UprightRun> runs;  // horizontal ones
-    std::vector<int> rows;         // px, the picture's horizontal scan-lines from top to bottom
+    std::vector<UprightRun> runs;   // horizontal ones
+    std::vector<UprightRun> field;  // where rows show the field
+    std::vector<int> rows;          // px, the picture's horizontal scan-lines from top to bottom
 
     /// Scan-lines without candidates are put where the others let expect them.
     void take(const Candidates& candidates, const UprightView& view);

@@ -50,10 +50,12 @@ const Candidates& CandidateExtractor::extract(const Segments& segments, const Fi
 void CandidateExtractor::find_runs(const Segments& segments) {
     horizontal_.clear();
     vertical_.clear();
+    candidates_.field.clear();
     int row = 0;
     const auto add = [&](const ScanLine& line) {
         const bool is_row = line.orientation == Orientation::horizontal;
         append_runs(segments, line, row, parameters_, is_row ? horizontal_ : vertical_);
+        if (is_row) add_field(segments, line);
         row += is_row;
     };
     if (in_order(segments.lines)) {
@@ -68,6 +70,26 @@ void CandidateExtractor::find_runs(const Segments& segments) {
         return at_a < at_b || (at_a == at_b && a < b);
     });
     for (const std::uint32_t i : order_) add(segments.lines[i]);
+}
+
+/// Bridged as the post's colour is, so that noise does not make many of one.
+void CandidateExtractor::add_field(const Segments& segments, const ScanLine& line) {
+    FieldRun run{line.position, 0, -1};
+    const auto end_run = [&] {
+        if (run.length() >= parameters_.shortest) candidates_.field.push_back(run);
+    };
+    for (int i = line.first; i < line.first + line.count; ++i) {
+        const Segment& s = segments.segments[static_cast<std::size_t>(i)];
+        if (s.colour != Colour::field) continue;
+        if (run.length() > 0 && s.start - run.end - 1 <= parameters_.largest_gap) {
+            run.end = s.end;
+            continue;
+        }
+        end_run();
+        run.start = s.start;
+        run.end = s.end;
+    }
+    end_run();
 }
 
 /// Among the rows that are left.

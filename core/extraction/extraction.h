@@ -36,6 +36,7 @@ class CandidateExtractor {
 
   private:
     void find_runs(const Segments& segments);
+    void add_field(const Segments& segments, const ScanLine& line);
     bool crosses_any(const Run& vertical) const;
 
     CandidateParameters parameters_;

@@ -126,7 +126,13 @@ bool lengths_add_up(const border_t&, std::span<const std::uint8_t> encoded) {
 }
 
 bool lengths_add_up(const candidates_t&, std::span<const std::uint8_t> encoded) {
-    return Walk(encoded).skip(2 * i64 + intrinsics).table(i8 + 3 * i16).table(2 * f32).table(2 * f32).done();
+    return Walk(encoded)
+        .skip(2 * i64 + intrinsics)
+        .table(i8 + 3 * i16)
+        .table(3 * i16)
+        .table(2 * f32)
+        .table(2 * f32)
+        .done();
 }
 
 bool lengths_add_up(const colour_gains_t&, std::span<const std::uint8_t> encoded) {

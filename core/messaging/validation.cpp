@@ -231,8 +231,10 @@ Problem problem(const candidates_t& m) {
     if (auto cause = frame_problem(m.utime, m.seq)) return cause;
     if (auto cause = problem(m.intrinsics)) return cause;
     if (!holds(m.orientation, m.num_segments) || !holds(m.line, m.num_segments) ||
-        !holds(m.start, m.num_segments) || !holds(m.end, m.num_segments) || !holds(m.left_x, m.num_left) ||
-        !holds(m.left_y, m.num_left) || !holds(m.right_x, m.num_right) || !holds(m.right_y, m.num_right)) {
+        !holds(m.start, m.num_segments) || !holds(m.end, m.num_segments) ||
+        !holds(m.field_line, m.num_field) || !holds(m.field_start, m.num_field) ||
+        !holds(m.field_end, m.num_field) || !holds(m.left_x, m.num_left) || !holds(m.left_y, m.num_left) ||
+        !holds(m.right_x, m.num_right) || !holds(m.right_y, m.num_right)) {
         return "sizes that disagree";
     }
     for (std::size_t i = 0; i < m.line.size(); ++i) {
@@ -241,6 +243,14 @@ Problem problem(const candidates_t& m) {
         if (m.end[i] < m.start[i]) return "a segment that ends before it starts";
         if (m.line[i] < 0 || m.line[i] >= extent.lines || m.start[i] < 0 || m.end[i] >= extent.along) {
             return "a segment outside the image";
+        }
+    }
+    const Extent rows = extent_of(0, m.intrinsics);
+    for (std::size_t i = 0; i < m.field_line.size(); ++i) {
+        if (m.field_end[i] < m.field_start[i]) return "a stretch of field that ends before it starts";
+        if (m.field_line[i] < 0 || m.field_line[i] >= rows.lines || m.field_start[i] < 0 ||
+            m.field_end[i] >= rows.along) {
+            return "a stretch of field outside the image";
         }
     }
     if (auto cause = points_problem(m.left_x, m.left_y, m.intrinsics)) return cause;

@@ -11,7 +11,7 @@ double fit_quality(const SilhouetteFit& fit, const CoarseEdgeFinder::Edges& coar
     double quality = 1.0;
     for (std::size_t side = 0; side < 2; ++side) {
         if (!edges[side]) continue;
-        constexpr double usual_share = 0.5, least_share = 0.15, enough = 16.0, rival_harm = 0.8;
+        constexpr double usual_share = 0.3, least_share = 0.15, enough = 16.0, rival_harm = 0.8;
         const double agreeing = fit.scatter.agreeing[side];
         const double looked = std::max(1, fit.scatter.looked_at[side]);
         quality =

@@ -127,6 +127,10 @@ inline candidates_t example_candidates() {
     m.line = {3, 7};
     m.start = {2, 0};
     m.end = {5, 3};
+    m.num_field = 1;
+    m.field_line = {2};
+    m.field_start = {6};
+    m.field_end = {7};
     m.num_left = 1;
     m.left_x = {1.7F};
     m.left_y = {3.0F};

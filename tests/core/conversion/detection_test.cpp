@@ -31,6 +31,7 @@ Candidates many(int count) {
         const int start = static_cast<int>(random.index(600));
         c.segments.push_back(
             {i % 2 ? Orientation::vertical : Orientation::horizontal, start % 480, start % 480, start % 480});
+        c.field.push_back({start % 480, start, start + 20});
         c.left_edges.emplace_back(start + 0.25, start % 480);
         c.right_edges.emplace_back(start + 0.75, start % 480);
     }
@@ -46,11 +47,15 @@ TEST(CandidatesMessage, SurvivesTheWayThereAndBack) {
     EXPECT_EQ(back.left_edges, candidates.left_edges);
     EXPECT_EQ(back.right_edges, candidates.right_edges);
     ASSERT_EQ(back.segments.size(), 100U);
+    ASSERT_EQ(back.field.size(), 100U);
     for (std::size_t i = 0; i < 100; ++i) {
         EXPECT_EQ(back.segments[i].orientation, candidates.segments[i].orientation);
         EXPECT_EQ(back.segments[i].line, candidates.segments[i].line);
         EXPECT_EQ(back.segments[i].start, candidates.segments[i].start);
         EXPECT_EQ(back.segments[i].end, candidates.segments[i].end);
+        EXPECT_EQ(back.field[i].line, candidates.field[i].line);
+        EXPECT_EQ(back.field[i].start, candidates.field[i].start);
+        EXPECT_EQ(back.field[i].end, candidates.field[i].end);
     }
 }
 

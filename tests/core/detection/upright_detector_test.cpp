@@ -142,6 +142,43 @@ TEST(UprightDetector, FindsAPostOfWhichTheLowerHalfIsHidden) {
     }
 }
 
+TEST(UprightDetector, TheFieldThatShowsBetweenItsEdgesTellsThatThereIsNoPost) {
+    // A post three metres away before something of its colour, which is as a nearer post's upper part would
+    // be. That one's feet might be hidden, but where they would be the field shows.
+    Robot robot;
+    const auto parts = [&](double from, double to) {
+        return [from, to](Row& row, double from_top) { row.shows = from_top >= from && from_top < to; };
+    };
+    Candidates c = empty_frame(robot.camera);
+    add(c, robot, post_at(2.0, 0.0), parts(0.0, 0.55));
+    const int beside = c.segments.back().line;
+    Candidates post = empty_frame(robot.camera);
+    add(post, robot, post_at(3.0, 0.025));
+    for (std::size_t i = 0; i < post.segments.size(); ++i) {
+        if (post.segments[i].line <= beside) continue;
+        c.segments.push_back(post.segments[i]);
+        c.left_edges.push_back(post.left_edges[i]);
+        c.right_edges.push_back(post.right_edges[i]);
+    }
+    const auto fooled = detect(c, robot, robot.told());
+    ASSERT_EQ(fooled.size(), 1U);
+    EXPECT_NEAR(fooled[0].distance_m, 2.0, 0.1) << "nothing says otherwise";
+
+    for (int y = beside + spacing; y < c.height; y += spacing) {
+        const auto here = std::find_if(post.segments.begin(), post.segments.end(),
+                                       [&](const CandidateSegment& s) { return s.line == y; });
+        if (here == post.segments.end()) {
+            c.field.push_back({y, 0, c.width - 1});
+            continue;
+        }
+        c.field.push_back({y, 0, here->start - 1});
+        c.field.push_back({y, here->end + 1, c.width - 1});
+    }
+    const auto posts = detect(c, robot, robot.told());
+    ASSERT_EQ(posts.size(), 1U);
+    EXPECT_NEAR(posts[0].distance_m, 3.0, 0.1);
+}
+
 TEST(UprightDetector, TellsLeftFromRightOfAGoalAndLeavesItsCrossbar) {
     Robot robot;
     Candidates c = empty_frame(robot.camera);

@@ -63,6 +63,24 @@ TEST(Extraction, GivesBothEdgesOfAPostOnEveryRow) {
     EXPECT_EQ(found.height, 100);
 }
 
+TEST(Extraction, SaysWhereRowsShowTheField) {
+    const Candidates found = extract(segments_of(120, 100, [](int x, int y) {
+        if (y >= 80 && x == 60) return Colour::unclassified;          // noise: bridged
+        if (y >= 80 && in(x, 90, 99)) return Colour::line;            // no noise
+        if (y >= 80 && x == 119) return Colour::unclassified;         // leaves what is long enough
+        if (y >= 80 && in(x, 101, 117)) return Colour::unclassified;  // and one pixel at 100, too short
+        return scene(x, y);
+    }));
+    std::vector<std::vector<int>> at_62, at_82;
+    for (const FieldRun& f : found.field) {
+        EXPECT_GE(f.line, 60);
+        if (f.line == 62) at_62.push_back({f.start, f.end});
+        if (f.line == 82) at_82.push_back({f.start, f.end});
+    }
+    EXPECT_EQ(at_62, (std::vector<std::vector<int>>{{0, 39}, {50, 119}}));
+    EXPECT_EQ(at_82, (std::vector<std::vector<int>>{{0, 89}}));
+}
+
 TEST(Extraction, RejectsOtherColoursAndShortAndLongSegments) {
     EXPECT_TRUE(extract(segments_of(120, 100, [](int x, int) {
                     return x < 60 ? Colour::ball : Colour::field;
