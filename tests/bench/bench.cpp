@@ -8,7 +8,7 @@
 #include "tests/bench/others.h"
 #include "tests/bench/summary.h"
 #include "tools/evaluate/command_line.h"
-#include "tools/evaluate/interrupt.h"
+#include "tools/goalmouth/interrupt.h"
 #include "tools/evaluate/progress.h"
 #include "tools/evaluate/report/figure.h"
 #include "tools/evaluate/report/report_folder.h"

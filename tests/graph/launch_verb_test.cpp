@@ -1,7 +1,7 @@
 // `goalmouth launch` and its neighbours as a user types them.
 
-#include "tests/graph/processes.h"
 #include "tests/support/data.h"
+#include "tests/support/processes.h"
 
 #include <csignal>
 #include <fstream>
