@@ -4,6 +4,7 @@
 #include "core/imaging/colour_table_file.h"
 #include "core/imaging/file_error.h"
 #include "core/process/configuration.h"
+#include "tools/colours/display_check.h"
 #include "tools/colours/marked_pictures.h"
 #include "tools/colours/teach_editor.h"
 #include "tools/colours/teach_window.h"
@@ -94,8 +95,9 @@ int teach_in_window(const TeachColoursOptions& options) {
         throw ConfigurationError("--marks: " + file.string() +
                                  " is the table's name; marks need one of their own");
     expect_writable(file, "--marks");
-    if (const std::string problem = window_problem(); !problem.empty()) {
-        throw ConfigurationError("no window can be opened here: " + problem +
+    const DisplayCheck display;
+    if (!display.problem().empty()) {
+        throw ConfigurationError("no window can be opened here: " + display.problem() +
                                  "; write the marks into a text file instead, a line each, PICTURE CLASS X0 "
                                  "Y0 X1 Y1, and give that "
                                  "instead of the pictures");
