@@ -2,9 +2,8 @@
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(OpenCV 4.5 REQUIRED COMPONENTS core imgproc imgcodecs videoio calib3d)
-set(goalmouth_opencv_libraries ${OpenCV_LIBS})
-find_package(OpenCV 4.5 REQUIRED COMPONENTS highgui)  # windows: for the tool that shows one alone
+find_package(OpenCV 4.5 REQUIRED COMPONENTS core imgproc imgcodecs videoio calib3d highgui)
+list(REMOVE_ITEM OpenCV_LIBS opencv_highgui)  # brings a desktop's libraries: for who opens a window alone
 find_package(spdlog REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(CLI11 REQUIRED)
@@ -23,7 +22,7 @@ endif()
 # Debian's OpenCV targets do not always mark their headers as system headers; ours are built with -Werror.
 add_library(goalmouth_opencv INTERFACE)
 target_include_directories(goalmouth_opencv SYSTEM INTERFACE ${OpenCV_INCLUDE_DIRS})
-target_link_libraries(goalmouth_opencv INTERFACE ${goalmouth_opencv_libraries})
+target_link_libraries(goalmouth_opencv INTERFACE ${OpenCV_LIBS})
 add_library(goalmouth::opencv ALIAS goalmouth_opencv)
 add_library(goalmouth_opencv_window INTERFACE)
 target_link_libraries(goalmouth_opencv_window INTERFACE goalmouth::opencv opencv_highgui)

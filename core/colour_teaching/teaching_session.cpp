@@ -6,21 +6,23 @@
 
 namespace goalmouth {
 
-TeachingSession::TeachingSession(std::vector<YuyvImage> pictures, int bits)
-    : pictures_(std::move(pictures)), bits_(bits) {}
-
-bool TeachingSession::add(const ColourMark& mark) {
-    return add(std::vector<ColourMark>{mark});
+TeachingSession::TeachingSession(std::vector<YuyvImage> pictures, int bits,
+                                 const std::vector<ColourMark>& marks)
+    : pictures_(std::move(pictures)), bits_(bits) {
+    for (const ColourMark& mark : marks) steps_.front().push_back(made(mark));
+    keep();
 }
 
-bool TeachingSession::add(const std::vector<ColourMark>& marks) {
-    Marks all = this->marks();
-    for (const ColourMark& mark : marks) {
-        if (mark.picture >= pictures_.size()) throw std::invalid_argument("there is no such picture");
-        const YuyvView view = picture(mark.picture);
-        const MarkedPixels pixels = marked_pixels(mark.shape, view);
-        all.push_back(std::make_shared<SessionMark>(SessionMark{mark, pixels, colours_of(pixels, view)}));
-    }
+std::shared_ptr<const SessionMark> TeachingSession::made(const ColourMark& mark) const {
+    if (mark.picture >= pictures_.size()) throw std::invalid_argument("there is no such picture");
+    const YuyvView view = picture(mark.picture);
+    const MarkedPixels pixels = marked_pixels(mark.shape, view);
+    return std::make_shared<SessionMark>(SessionMark{mark, pixels, colours_of(pixels, view)});
+}
+
+bool TeachingSession::add(const ColourMark& mark) {
+    Marks all = marks();
+    all.push_back(made(mark));
     return step(std::move(all));
 }
 
@@ -42,7 +44,7 @@ bool TeachingSession::step(Marks marks) {
     steps_.resize(now_ + 1);
     steps_.push_back(std::move(marks));
     ++now_;
-    made_ = false;
+    has_table_ = false;
     return true;
 }
 
@@ -58,7 +60,7 @@ std::optional<std::size_t> TeachingSession::go_to(std::size_t step) {
     const Marks& from = steps_[now_];
     const Marks& to = steps_[step];
     now_ = step;
-    made_ = false;
+    has_table_ = false;
     const Marks& longer = from.size() > to.size() ? from : to;
     const Marks& shorter = from.size() > to.size() ? to : from;
     // The first that only one of the two has.
@@ -80,7 +82,7 @@ std::array<std::size_t, colour_count> TeachingSession::samples() const {
 }
 
 void TeachingSession::expect_table() const {
-    if (made_) return;
+    if (has_table_) return;
     ClassSamples samples;
     for (const auto& each : marks()) {
         auto& of_class = samples[static_cast<std::size_t>(each->mark.colour)];
@@ -88,7 +90,7 @@ void TeachingSession::expect_table() const {
     }
     table_ = taught_table(samples, bits_, "");
     clash_ = table_ ? clash_of_classes(samples, *table_) : "";
-    made_ = true;
+    has_table_ = true;
 }
 
 const std::optional<ColourTable>& TeachingSession::table() const {

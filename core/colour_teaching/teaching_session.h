@@ -21,8 +21,9 @@ struct SessionMark {
 /// covers is a sample of its class, as often as marks cover it. Steps can be taken back and made again.
 class TeachingSession {
   public:
-    /// `bits` an axis of the table.
-    explicit TeachingSession(std::vector<YuyvImage> pictures, int bits = 6);
+    /// `bits` an axis of the table; `marks` to go on from, which no undo takes back. Throws as add().
+    explicit TeachingSession(std::vector<YuyvImage> pictures, int bits = 6,
+                             const std::vector<ColourMark>& marks = {});
 
     std::size_t pictures() const { return pictures_.size(); }
     YuyvView picture(std::size_t i) const { return pictures_[i].view(); }
@@ -35,7 +36,6 @@ class TeachingSession {
 
     /// Throws std::invalid_argument for a picture that is not there and for a shape it cannot have.
     bool add(const ColourMark& mark);
-    bool add(const std::vector<ColourMark>& marks);
     bool remove(std::size_t mark);
     /// All marks of a class, in all pictures.
     bool remove_class(Colour colour);
@@ -60,6 +60,7 @@ class TeachingSession {
     void keep() { kept_ = marks(); }
 
   private:
+    std::shared_ptr<const SessionMark> made(const ColourMark& mark) const;
     bool step(Marks marks);
     std::optional<std::size_t> go_to(std::size_t step);
     void expect_table() const;
@@ -69,7 +70,7 @@ class TeachingSession {
     std::vector<Marks> steps_{{}};
     std::size_t now_ = 0;
     Marks kept_;
-    mutable bool made_ = false;  // table_ and clash_ are those of the marks
+    mutable bool has_table_ = false;  // table_ and clash_ are those of the marks
     mutable std::optional<ColourTable> table_;
     mutable std::string clash_;
 };

@@ -211,6 +211,8 @@ TEST_F(Completion, OffersVerbsOptionsAndValues) {
     std::ofstream(folder_.path() / "picture.svg");
     EXPECT_EQ(offered({"goalmouth", "graph", "-o", (folder_.path() / "pic").string()}),
               (folder_.path() / "picture.svg").string() + "\n");
+    EXPECT_EQ(offered({"goalmouth", "colours", "teach", (folder_.path() / "pic").string()}),
+              (folder_.path() / "picture.svg").string() + "\n");
 }
 
 TEST_F(Completion, IsPrintedForEachShell) {

@@ -1,8 +1,15 @@
+#include "core/conversion/intrinsics.h"
 #include "core/imaging/colour_table_file.h"
+#include "core/imaging/conversion.h"
 #include "core/imaging/image_file.h"
+#include "core/messaging/channels.h"
+#include "core/messaging/image_output.h"
+#include "core/messaging/log_bus.h"
+#include "core/messaging/typed.h"
 #include "tests/support/data.h"
 #include "tests/support/files.h"
 #include "tests/support/refusal.h"
+#include "tools/colours/marked_pictures.h"
 #include "tools/colours/teach.h"
 
 #include <string>
@@ -90,6 +97,50 @@ TEST_F(ColoursTeach, PolygonsAndFillsTeachAsBoxesDo) {
     EXPECT_EQ(table.at(picture.view().at(10, 10)), Colour::field);
     EXPECT_EQ(table.at(picture.view().at(45, 10)), Colour::goal);
     EXPECT_EQ(table.at(picture.view().at(75, 10)), Colour::unclassified);
+}
+
+TEST_F(ColoursTeach, PicturesOfALogTeachToo) {
+    {
+        LogBus bus({.input = {}, .output = path("a log.lcmlog")});
+        for (int n = 0; n < 3; ++n) {
+            FrameInfo info;
+            info.utime = 1'000'000 + 100'000 * n;
+            info.seq = 10 + n;
+            Intrinsics intrinsics;
+            intrinsics.width = 90;
+            intrinsics.height = 60;
+            info.intrinsics = to_message(intrinsics);
+            bus.set_time(info.utime);
+            const cv::Mat black = cv::Mat::zeros(60, 90, CV_8UC3);
+            const YuyvImage image = n == 1 ? read_image(path("p.png")) : yuyv_from_bgr(black);
+            publish(bus, channels::image_tap, self_contained_yuyv(info, "c", image.view()));
+        }
+    }
+    ASSERT_EQ(teach("\"a log.lcmlog@1\" goal fill 45 30 5\n\"a log.lcmlog@1\" field 2 2 25 55\n"), 0);
+    const ColourTable table = load_colour_table(path("t.gmct"));
+    const YuyvImage picture = read_image(path("p.png"));
+    EXPECT_EQ(table.at(picture.view().at(10, 10)), Colour::field);
+    EXPECT_EQ(table.at(picture.view().at(45, 10)), Colour::goal);
+    EXPECT_THAT(error_of("\"a log.lcmlog@3\" goal fill 45 30 5\n"),
+                HasSubstr("boxes.txt:1: " + path("a log.lcmlog") +
+                          ": holds 3 pictures, numbered from 0; there is no number 3"));
+}
+
+/// A picture has one place among those that are shown, whatever its marks and the command line call it.
+TEST_F(ColoursTeach, MarksFindThePicturesThatAreThere) {
+    MarkedPictures marked;
+    marked.pictures = learning_pictures({path("p.png")}, {}, 10);
+    cv::imwrite(path("q.png"), cv::Mat(60, 90, CV_8UC3, cv::Scalar::all(90)));
+    test::write_text(path("m.marks"), "./p.png goal 33 2 56 55\nq.png field 0 0 9 9\nq.png line 5 5 9 9\n");
+    add_marks(marked, read_marks(path("m.marks")), path("m.marks"), {});
+    ASSERT_EQ(marked.pictures.size(), 2U);
+    ASSERT_EQ(marked.marks.size(), 3U);
+    EXPECT_EQ(marked.marks[0].picture, 0U);
+    EXPECT_EQ(marked.marks[1].picture, 1U);
+    EXPECT_EQ(marked.marks[2].picture, 1U);
+    const auto lines = lines_of(marked.marks, marked.pictures);
+    EXPECT_EQ(lines[0].picture.file, path("p.png"));
+    EXPECT_EQ(lines[2].colour, Colour::line);
 }
 
 TEST_F(ColoursTeach, BlackPicturesTeachNothing) {

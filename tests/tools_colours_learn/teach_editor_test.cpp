@@ -141,7 +141,10 @@ TEST_F(TeachEditorTest, QuittingAsksWhereSomethingIsNotSaved) {
     keys("q");
     EXPECT_FALSE(editor.done());
     EXPECT_THAT(editor.message(), HasSubstr("not saved"));
-    keys("1q");  // the question is forgotten by another key
+    EXPECT_THAT(editor.title(), HasSubstr("1 mark, not saved: quit?"));
+    keys("1");  // the question is forgotten by another key
+    EXPECT_THAT(editor.title(), testing::EndsWith("1 mark, not saved"));
+    keys("q");
     EXPECT_FALSE(editor.done());
     keys("s");
     EXPECT_EQ(saved, 1);

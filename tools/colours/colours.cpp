@@ -50,11 +50,16 @@ void add_teach(CLI::App& colours_verb, Action& action) {
         ->add_option("IMAGE", o.inputs,
                      "pictures (PNG, JPEG, PPM, raw 4:2:2 as .yuyv), folders of them, or LCM logs that hold "
                      "pictures, to mark in a window; or one text file with marks, a line each")
-        ->required();
-    command->add_option("-o,--output", o.output, "Colour table to write (.gmct)")->required();
-    command->add_option("--marks", o.marks,
-                        "the window's marks: read where the file is there, and saved; else the output's name "
-                        "with .marks");
+        ->required()
+        ->type_name("FILE");
+    command->add_option("-o,--output", o.output, "Colour table to write (.gmct)")
+        ->required()
+        ->type_name("FILE");
+    command
+        ->add_option("--marks", o.marks,
+                     "the window's marks: read where the file is there, and saved; else the output's name "
+                     "with .marks")
+        ->type_name("FILE");
     command->add_option("--most", o.most, "of more pictures than that, so many evenly spread are shown")
         ->check(CLI::Range(1, 10000).description(""))
         ->capture_default_str();

@@ -43,9 +43,13 @@ TeachingSession session_of(MarkedPictures& marked, int bits) {
                                      : fmt::format("all {} pictures are black: there is nothing to "
                                                    "teach from",
                                                    images.size()));
-    TeachingSession session(std::move(images), bits);
-    session.add(marked.marks);
-    return session;
+    return TeachingSession(std::move(images), bits, marked.marks);
+}
+
+std::string origin(const TeachingSession& session, const fs::path& marks) {
+    const std::size_t count = session.marks().size();
+    return fmt::format("taught by the {}{} of {}", count == 1 ? "" : std::to_string(count) + " ",
+                       count == 1 ? "mark" : "marks", marks.filename().string());
 }
 
 /// Throws ConfigurationError where the marks make no table; nothing is written then.
@@ -54,8 +58,7 @@ void save_table(const TeachingSession& session, const TeachColoursOptions& optio
         throw ConfigurationError(problem + "; " + options.output.string() + " is not written");
     ColourTable table = *session.table();
     table.set_name(options.name.empty() ? options.output.stem().string() : options.name);
-    table.add_provenance(
-        fmt::format("taught by the {} marks of {}", session.marks().size(), marks.filename().string()));
+    table.add_provenance(origin(session, marks));
     try {
         save_colour_table(table, options.output);
     } catch (const FileError& error) {
@@ -64,8 +67,8 @@ void save_table(const TeachingSession& session, const TeachColoursOptions& optio
 }
 
 void print_classes(const TeachingSession& session, const fs::path& output, const fs::path& marks) {
-    fmt::print("{}: taught by the {} marks of {}\n{:<14} {:>9} {:>10}\n", output.string(),
-               session.marks().size(), marks.filename().string(), "class", "pixels", "come back");
+    fmt::print("{}: {}\n{:<14} {:>9} {:>10}\n", output.string(), origin(session, marks), "class", "pixels",
+               "come back");
     ClassSamples samples;
     for (const auto& each : session.marks()) {
         auto& of_class = samples[static_cast<std::size_t>(each->mark.colour)];
@@ -108,7 +111,6 @@ int teach_in_window(const TeachColoursOptions& options) {
     std::vector<std::string> names;
     for (const NamedPicture& picture : marked.pictures) names.push_back(picture.name);
     TeachingSession session = session_of(marked, options.bits);
-    session.keep();
 
     bool table_written = false;
     TeachEditor editor(session, names, [&] {

@@ -74,6 +74,11 @@ void TeachEditor::say(std::string message, bool alarmed) {
     changed_ = true;
 }
 
+void TeachEditor::forget_question() {
+    changed_ = changed_ || asked_;
+    asked_ = false;
+}
+
 void TeachEditor::show(std::size_t picture) {
     picture_ = picture;
     zoom_ = 1;
@@ -136,7 +141,7 @@ void TeachEditor::close_polygon() {
 }
 
 void TeachEditor::click(cv::Point at) {
-    asked_ = false;
+    forget_question();
     if (tool_ == MarkTool::fill) return mark(MarkedFill{at, tolerance_});
     corners_.push_back(at);
     changed_ = true;
@@ -145,12 +150,12 @@ void TeachEditor::click(cv::Point at) {
 }
 
 void TeachEditor::drag(cv::Point from, cv::Point to) {
-    asked_ = false;
+    forget_question();
     if (tool_ == MarkTool::box) mark(MarkedBox{box_between(from, to)});
 }
 
 void TeachEditor::right_click(cv::Point at) {
-    asked_ = false;
+    forget_question();
     if (tool_ == MarkTool::polygon && !corners_.empty()) return close_polygon();
     if (const auto under = session_.mark_at(picture_, at)) {
         session_.remove(*under);
@@ -180,12 +185,12 @@ void TeachEditor::save() {
 
 void TeachEditor::quit() {
     done_ = asked_ || !session_.changed();
-    if (!done_) say("marks are not saved: s saves them, q once more quits without", true);
     asked_ = true;
+    if (!done_) say("marks are not saved: s saves them, q once more quits without", true);
 }
 
 void TeachEditor::key(int code) {
-    if (code != 'q') asked_ = false;
+    if (code != 'q') forget_question();
     if (help_ && code == escape) {
         help_ = false;
         changed_ = true;
@@ -254,7 +259,9 @@ std::string TeachEditor::title() const {
     const std::size_t marks = session_.marks().size();
     return fmt::format("goalmouth colours teach - {} - {} - {} - {} mark{}{}", picture_name(),
                        name_of(colour_), name_of(tool_), marks, marks == 1 ? "" : "s",
-                       session_.changed() ? ", not saved" : "");
+                       !session_.changed() ? ""
+                       : asked_            ? ", not saved: quit?"
+                                           : ", not saved");
 }
 
 }  // namespace goalmouth

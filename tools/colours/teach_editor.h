@@ -75,6 +75,7 @@ class TeachEditor {
     void choose(MarkTool tool);
     void save();
     void quit();
+    void forget_question();
     void went(const std::optional<std::size_t>& picture, const char* what);
 
     TeachingSession& session_;

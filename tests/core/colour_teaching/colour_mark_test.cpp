@@ -58,7 +58,18 @@ TEST(ColourMark, AFillTakesWhatIsJoinedAndLike) {
     EXPECT_EQ(count(MarkedFill{{12, 25}, 7}), 8U * 30U);  // from the shade likewise
     EXPECT_EQ(count(MarkedFill{{12, 3}, 100}), 40U * 30U);  // everything is like it
     EXPECT_EQ(count(MarkedFill{{39, 29}, 0}),
-              6U * 30U);  // what only touches corners or lies apart is not joined
+              6U * 30U);  // what lies apart is not joined
+}
+
+TEST(ColourMark, AFillDoesNotPassWhereOnlyCornersTouch) {
+    YuyvImage board(8, 8);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+            std::uint8_t* pair = board.data.data() + y * board.stride() + 4 * (x / 2);
+            pair[2 * (x & 1)] = (x < 4) == (y < 4) ? 200 : 50;
+            pair[1] = pair[3] = 128;
+        }
+    EXPECT_EQ(marked_pixels(MarkedFill{{1, 1}, 5}, board.view()).where, cv::Rect(0, 0, 4, 4));
 }
 
 /// Each pixel is compared with the seed, not with its neighbour: a slow change of colour ends somewhere.

@@ -92,6 +92,18 @@ TEST_F(TeachingSessionTest, TheMarkUnderAPixelIsTheNewest) {
     EXPECT_FALSE(session.remove(7));
 }
 
+TEST_F(TeachingSessionTest, GoesOnFromMarksThatNoUndoTakesBack) {
+    TeachingSession on({stripes(), stripes()}, 6, {box(Colour::field, 4), box(Colour::goal, 34, 1)});
+    EXPECT_EQ(on.marks().size(), 2U);
+    EXPECT_EQ(on.problem(), "");
+    EXPECT_FALSE(on.changed());
+    EXPECT_FALSE(on.undo());
+    on.add(box(Colour::line, 64));
+    EXPECT_EQ(on.undo(), 0U);
+    EXPECT_EQ(on.marks().size(), 2U);
+    EXPECT_FALSE(on.changed());
+}
+
 TEST_F(TeachingSessionTest, KnowsWhetherItsMarksAreKept) {
     EXPECT_FALSE(session.changed());
     session.add(box(Colour::field, 4));
@@ -117,7 +129,7 @@ TEST_F(TeachingSessionTest, MarksThatDoNotFitChangeNothing) {
     session.add(box(Colour::field, 4));
     EXPECT_THROW(session.add(box(Colour::field, 80)), std::invalid_argument);
     EXPECT_THROW(session.add(box(Colour::field, 4, 2)), std::invalid_argument);
-    EXPECT_THROW(session.add({box(Colour::field, 4), box(Colour::field, 80)}), std::invalid_argument);
+    EXPECT_THROW(TeachingSession({stripes()}, 6, {box(Colour::field, 80)}), std::invalid_argument);
     EXPECT_EQ(session.marks().size(), 1U);
     EXPECT_EQ(session.undo(), 0U);
 }
