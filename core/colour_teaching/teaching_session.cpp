@@ -100,7 +100,7 @@ const std::optional<ColourTable>& TeachingSession::table() const {
 
 std::string TeachingSession::problem() const {
     expect_table();
-    if (marks().empty()) return "nothing is marked yet";
+    if (marks().empty()) return "nothing is marked";
     if (!table_) return "all marks are unclassified; a table needs one of a class at least";
     return clash_;
 }

@@ -113,6 +113,11 @@ TEST_F(TeachWindow, MarksByMouseAndKeysMakeATable) {
     ASSERT_TRUE(title("2 marks, not saved"));
     display_->key("r");
     ASSERT_TRUE(title("3 marks, not saved"));
+    // A right click takes away what is under the pointer.
+    display_->click(place({320, 400}), 3);
+    ASSERT_TRUE(title("2 marks, not saved"));
+    display_->key("u");
+    ASSERT_TRUE(title("3 marks, not saved"));
     EXPECT_FALSE(fs::exists(path("t.gmct")));
     display_->key("s");
     ASSERT_TRUE(title("3 marks"));
@@ -183,6 +188,7 @@ TEST_F(TeachWindow, ControlCWritesNothing) {
     const auto window = teach();
     ASSERT_TRUE(title("0 marks")) << window->output();
     display_->point_at(place({320, 400}));
+    display_->key("s");  // nothing there to save
     display_->key("f");
     ASSERT_TRUE(title("field - fill - 0 marks"));
     display_->click(place({320, 400}));

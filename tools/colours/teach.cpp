@@ -114,6 +114,7 @@ int teach_in_window(const TeachColoursOptions& options) {
 
     bool table_written = false;
     TeachEditor editor(session, names, [&] {
+        if (session.marks().empty()) throw ConfigurationError(session.problem() + "; nothing is saved");
         write_text(file, marks_text(lines_of(marks_of(session), marked.pictures), file.parent_path()), "");
         session.keep();
         try {
