@@ -1,6 +1,7 @@
 #include "core/colour_learning/colour_learner.h"
 
 #include "core/colour_learning/field_colours.h"
+#include "core/colour_learning/lesson.h"
 #include "core/colour_learning/standing_posts.h"
 #include "core/imaging/shrink.h"
 
@@ -13,7 +14,6 @@ namespace goalmouth {
 
 namespace {
 
-constexpr int widest = 640;                    // px; posts 6 m away still are 9 px wide
 constexpr int rounds = 2;                      // of labelling and finding posts anew
 constexpr double same_inside = 0.7;            // share of a post's pixels in the goal's colour
 constexpr double least_ball_confidence = 0.5;  // below, more of what is called ball is none than is
@@ -122,24 +122,6 @@ void forget(Colour colour, std::span<cv::Mat> labels) {
         of_picture.setTo(ColourTrainer::no_label, of_picture == static_cast<int>(colour));
 }
 
-/// A picture as it was taken, whose labels are those of the shrunk one: what a table will see has more noise
-/// than means of it.
-struct Lesson {
-    YuyvView picture;
-    cv::Mat labels;
-
-    template <class Visit>
-    void each(Visit visit) const {
-        const int factor = shrink_factor(picture, widest);
-        for (int y = 0; y < labels.rows * factor; ++y) {
-            const std::uint8_t* row = labels.ptr<std::uint8_t>(y / factor);
-            for (int x = 0; x < labels.cols * factor; ++x)
-                if (const std::uint8_t label = row[x / factor]; label < colour_count)
-                    visit(picture.at(x, y), label);
-        }
-    }
-};
-
 std::vector<Lesson> lessons_of(std::span<const YuyvImage> pictures, std::span<const cv::Mat> labels) {
     std::vector<Lesson> lessons;
     for (std::size_t i = 0; i < pictures.size(); ++i) lessons.push_back({pictures[i].view(), labels[i]});
@@ -219,7 +201,7 @@ LearntColours learn_without_labels(std::span<const YuyvImage> pictures, GoalPain
     if (pictures.empty()) throw NothingToLearn("there is no picture to learn from");
     std::vector<YuyvImage> images;
     for (const YuyvImage& picture : pictures)
-        images.push_back(shrunk(picture.view(), shrink_factor(picture.view(), widest)));
+        images.push_back(shrunk(picture.view(), shrink_factor(picture.view(), widest_labelled)));
     const std::string of_these = "none of the " + std::to_string(images.size()) + " pictures shows ";
 
     const auto field = find_field_colour(images);

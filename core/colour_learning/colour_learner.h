@@ -38,7 +38,7 @@ struct LearntClass {
 
 struct LearntPicture {
     LabelledScene scene;  // shrunk; with the posts that were found
-    cv::Mat labels;       // CV_8UC1, as label_scene()
+    cv::Mat labels;       // CV_8UC1, as label_scene(): of the shrunk scene; a Lesson with the picture itself
 };
 
 struct LearntColours {

@@ -8,10 +8,10 @@
 #include "tests/bench/others.h"
 #include "tests/bench/summary.h"
 #include "tools/evaluate/command_line.h"
-#include "tools/evaluate/interrupt.h"
 #include "tools/evaluate/progress.h"
 #include "tools/evaluate/report/figure.h"
 #include "tools/evaluate/report/report_folder.h"
+#include "tools/goalmouth/interrupt.h"
 #include "tools/goalmouth/output.h"
 #include "tools/goalmouth/temporary_folder.h"
 

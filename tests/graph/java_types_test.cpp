@@ -1,8 +1,8 @@
 // What lcm-spy sees on the tap's port: each channel of the running graph, decoded by the Java types.
 
 #include "core/messaging/tap_url.h"
-#include "tests/graph/processes.h"
 #include "tests/graph/running_graph.h"
+#include "tests/support/processes.h"
 
 #include <gtest/gtest.h>
 

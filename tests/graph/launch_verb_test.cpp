@@ -1,7 +1,7 @@
 // `goalmouth launch` and its neighbours as a user types them.
 
-#include "tests/graph/processes.h"
 #include "tests/support/data.h"
+#include "tests/support/processes.h"
 
 #include <csignal>
 #include <fstream>
@@ -210,6 +210,8 @@ TEST_F(Completion, OffersVerbsOptionsAndValues) {
     EXPECT_THAT(offered({"goalmouth", "completion", ""}), HasSubstr("bash zsh fish"));
     std::ofstream(folder_.path() / "picture.svg");
     EXPECT_EQ(offered({"goalmouth", "graph", "-o", (folder_.path() / "pic").string()}),
+              (folder_.path() / "picture.svg").string() + "\n");
+    EXPECT_EQ(offered({"goalmouth", "colours", "teach", (folder_.path() / "pic").string()}),
               (folder_.path() / "picture.svg").string() + "\n");
 }
 

@@ -3,8 +3,8 @@
 #include "core/process/launcher.h"
 
 #include "core/process/guardian.h"
-#include "tests/graph/processes.h"
 #include "tests/support/data.h"
+#include "tests/support/processes.h"
 
 #include <array>
 #include <csignal>

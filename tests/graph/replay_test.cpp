@@ -4,9 +4,9 @@
 #include "core/messaging/lcm_bus.h"
 #include "core/messaging/log_file.h"
 #include "core/messaging/typed.h"
-#include "tests/graph/processes.h"
 #include "tests/graph/running_graph.h"
 #include "tests/support/data.h"
+#include "tests/support/processes.h"
 
 #include <algorithm>
 #include <csignal>

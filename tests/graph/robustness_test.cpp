@@ -3,8 +3,8 @@
 
 #include "core/messaging/tap_url.h"
 #include "core/messaging/typed.h"
-#include "tests/graph/processes.h"
 #include "tests/graph/running_graph.h"
+#include "tests/support/processes.h"
 #include "tests/support/small_shared_memory.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "core/messaging/typed.h"
 #include "tests/graph/garbage.h"
-#include "tests/graph/processes.h"
 #include "tests/graph/running_graph.h"
+#include "tests/support/processes.h"
 
 #include <csignal>
 #include <map>

@@ -2,7 +2,7 @@
 
 #include "core/messaging/tap_url.h"
 #include "core/messaging/typed.h"
-#include "tests/graph/processes.h"
+#include "tests/support/processes.h"
 
 #include <algorithm>
 

@@ -19,6 +19,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 namespace goalmouth {
 namespace {
@@ -82,6 +83,24 @@ TEST_F(ColoursLearn, WritesTheTableItsOriginAndTheReport) {
     for (const char* file : {"contact_sheet.png", "clusters.png", "table.png"})
         EXPECT_FALSE(cv::imread(path("report") + "/" + file).empty()) << file;
     EXPECT_TRUE(fs::exists(path("report/index.html")));
+}
+
+/// The picture of the samples shows shares of what was learnt from, whatever size the pictures have.
+TEST_F(ColoursLearn, TheReportCountsTheSamplesOfLargePicturesToo) {
+    pictures(4);
+    fs::create_directories(path("large"));
+    for (unsigned n = 0; n < 4; ++n) {
+        const std::string name = std::to_string(n) + ".png";
+        cv::Mat twice;
+        cv::resize(cv::imread(path("pitch/" + name)), twice, {}, 2.0, 2.0, cv::INTER_NEAREST);
+        cv::imwrite(path("large/" + name), twice);
+    }
+    ASSERT_EQ(learn({path("pitch"), "-o", path("t.gmct"), "--report", path("of_small")}), 0);
+    ASSERT_EQ(learn({path("large"), "-o", path("t.gmct"), "--report", path("of_large")}), 0);
+    const cv::Mat small = cv::imread(path("of_small/clusters.png"));
+    const cv::Mat large = cv::imread(path("of_large/clusters.png"));
+    ASSERT_EQ(small.size(), large.size());
+    EXPECT_LT(cv::norm(small, large, cv::NORM_L1), 0.02 * cv::norm(small, cv::NORM_L1));
 }
 
 TEST_F(ColoursLearn, ALogTeachesWhatItsPicturesTeach) {

@@ -2,7 +2,7 @@
 
 #include "core/process/configuration.h"
 #include "tests/support/evaluate_command.h"
-#include "tools/evaluate/interrupt.h"
+#include "tools/goalmouth/interrupt.h"
 
 #include <atomic>
 #include <cmath>

@@ -65,6 +65,41 @@ TEST_F(ColourMatrix, HasEachTableOnEachSet) {
     }
 }
 
+/// Ctrl-C: what is in hand is done, no further table is learnt.
+TEST_F(ColourMatrix, EndsBetweenTablesWhereItIsAskedTo) {
+    ColourMatrixOptions options;
+    options.images.folder = folder.path();
+    options.images.detectors = {"ransac"};
+    options.images.folds = 2;
+    options.tables = {path("empty.gmct")};
+    EXPECT_TRUE(colour_matrix(options, {.expect = {}, .step = {}, .stop = [] { return true; }}).empty());
+
+    bool looked_at_one = false;
+    const auto rows = colour_matrix(
+        options,
+        {.expect = {}, .step = [&] { looked_at_one = true; }, .stop = [&] { return looked_at_one; }});
+    ASSERT_EQ(rows.size(), 1U);
+    ASSERT_EQ(rows[0].sets.size(), 1U);
+    EXPECT_FALSE(rows[0].sets[0].complete);
+}
+
+/// Learning a set's tables is left off as well: these pictures would be an error.
+TEST_F(ColourMatrix, EndsBetweenTheTablesOfASet) {
+    for (unsigned n = 0; n < 4; ++n)
+        cv::imwrite(path("day" + std::to_string(n) + ".png"), cv::Mat::zeros(480, 640, CV_8UC3));
+    ImagesOptions options;
+    options.folder = folder.path();
+    options.detectors = {"ransac"};
+    options.without_labels = true;
+    options.sets = {"day"};
+    EXPECT_THAT(test::message_of([&] { evaluate_images(options); }), HasSubstr("shows a field"));
+    int asked = 0;
+    const auto results =
+        evaluate_images(options, {.expect = {}, .step = {}, .stop = [&] { return ++asked > 1; }});
+    ASSERT_EQ(results.size(), 1U);
+    EXPECT_FALSE(results[0].complete);
+}
+
 TEST_F(ColourMatrix, SaysWhatIsWrongWithATable) {
     const auto error = [&](const std::string& table) {
         return test::message_of([&] { run({"colours", folder.path().string(), "--table", table}); });

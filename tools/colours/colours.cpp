@@ -2,8 +2,10 @@
 
 #include "tools/colours/learn.h"
 #include "tools/colours/teach.h"
+#include "tools/colours/teach_editor.h"
 #include "tools/goalmouth/file_action.h"
 
+#include <fmt/format.h>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +21,22 @@ std::optional<ImageSize> size_given(const std::string& text) {
     return size;
 }
 
+std::string teach_footer() {
+    std::string text = "In the window:\n";
+    for (const EditorKey& key : editor_keys()) text += fmt::format("  {:<15} {}\n", key.key, key.meaning);
+    return text +
+           "\nA line of the text file, corners inclusive, 0 0 a picture's first pixel:\n"
+           "  PICTURE CLASS X0 Y0 X1 Y1\n"
+           "  PICTURE CLASS polygon X Y X Y X Y ...\n"
+           "  PICTURE CLASS fill X Y TOLERANCE\n"
+           "Pictures lie relative to the file, LOG@N is number N of a log's, # begins a remark. Classes: "
+           "unclassified,\nfield, line, ball, goal, robot. Marks of \"unclassified\" say what none of them "
+           "is.\n"
+           "Exit code: 0 all went well, 2 the command line or a file is wrong or no window can be opened, "
+           "130 "
+           "interrupted.";
+}
+
 void add_teach(CLI::App& colours_verb, Action& action) {
     struct Given {
         TeachColoursOptions options;
@@ -26,19 +44,29 @@ void add_teach(CLI::App& colours_verb, Action& action) {
     };
     const auto given = std::make_shared<Given>();
     TeachColoursOptions& o = given->options;
-    CLI::App* command =
-        colours_verb.add_subcommand("teach", "Make a table from boxes in pictures, each of one class");
-    command->add_option("BOXES", o.boxes, "text file with a box a line: PICTURE CLASS X0 Y0 X1 Y1 [px]")
-        ->required();
-    command->add_option("-o,--output", o.output, "Colour table to write (.gmct)")->required();
+    CLI::App* command = colours_verb.add_subcommand(
+        "teach", "Make a table from what a person marks in pictures, in a window or in a text file");
+    command
+        ->add_option("IMAGE", o.inputs,
+                     "pictures (PNG, JPEG, PPM, raw 4:2:2 as .yuyv), folders of them, or LCM logs that hold "
+                     "pictures, to mark in a window; or one text file with marks, a line each")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("-o,--output", o.output, "Colour table to write (.gmct)")
+        ->required()
+        ->type_name("FILE");
+    command
+        ->add_option("--marks", o.marks,
+                     "the window's marks: read where the file is there, and saved; else the output's name "
+                     "with .marks")
+        ->type_name("FILE");
+    command->add_option("--most", o.most, "of more pictures than that, so many evenly spread are shown")
+        ->check(CLI::Range(1, 10000).description(""))
+        ->capture_default_str();
     command->add_option("--bits", o.bits, "Bits an axis")->check(CLI::Range(5, 8))->capture_default_str();
     command->add_option("--name", o.name, "Name of the table; default: the output's");
     command->add_option("--size", given->size, "WIDTHxHEIGHT of raw pictures [px]");
-    command->footer(
-        "Pictures lie relative to BOXES; corners are inclusive, 0 0 is a picture's first pixel; # begins a "
-        "remark. "
-        "Classes:\nunclassified, field, line, ball, goal, robot. Boxes of \"unclassified\" say what none of "
-        "them is.");
+    command->footer(teach_footer());
     sets_action(command, action, [given] {
         given->options.size = size_given(given->size);
         return teach_colours(given->options);

@@ -1,7 +1,7 @@
 #include "tools/colours/learn_report.h"
 
+#include "core/colour_learning/lesson.h"
 #include "core/imaging/colour_picture.h"
-#include "core/imaging/colour_training.h"
 #include "core/imaging/conversion.h"
 #include "tools/evaluate/report/html_page.h"
 #include "tools/evaluate/report/report_folder.h"
@@ -90,18 +90,12 @@ cv::Mat cluster_picture(const std::vector<NamedPicture>& pictures, const LearntC
     for (auto& panel : counts)
         for (cv::Mat& of_class : panel) of_class = cv::Mat::zeros(cells, cells, CV_32F);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-        const YuyvView image = learnt.pictures[i].scene.image.view();
-        const cv::Mat& labels = learnt.pictures[i].labels;
-        for (int y = 0; y < labels.rows; ++y) {
-            for (int x = 0; x < labels.cols; ++x) {
-                const std::uint8_t label = labels.at<std::uint8_t>(y, x);
-                if (label >= colour_count) continue;
-                const Ycbcr p = image.at(x, y);
-                const double chroma = std::min(127.0, std::hypot(p.cb - 128.0, p.cr - 128.0));
-                counts[0][label].at<float>(cells - 1 - p.cr / 2, p.cb / 2) += 1.0F;
-                counts[1][label].at<float>(cells - 1 - p.y / 2, static_cast<int>(chroma)) += 1.0F;
-            }
-        }
+        const Lesson lesson{pictures[i].image.view(), learnt.pictures[i].labels};
+        lesson.each([&](Ycbcr p, std::uint8_t label) {
+            const double chroma = std::min(127.0, std::hypot(p.cb - 128.0, p.cr - 128.0));
+            counts[0][label].at<float>(cells - 1 - p.cr / 2, p.cb / 2) += 1.0F;
+            counts[1][label].at<float>(cells - 1 - p.y / 2, static_cast<int>(chroma)) += 1.0F;
+        });
     }
     cv::Mat whole;
     for (auto& panel : counts) {

@@ -8,9 +8,12 @@
 #include "tools/goalmouth/picture_files.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 namespace goalmouth {
@@ -61,20 +64,30 @@ struct Source {
     std::size_t pictures = 1;
 };
 
-void read_log(const Source& source, const std::vector<bool>& wanted, std::size_t first,
-              std::vector<NamedPicture>& pictures) {
-    std::size_t i = first;
-    each_frame(source.file, [&](const Frame& frame) {
-        // A log may still grow: what came since it was counted is left alone.
-        const std::size_t place = i++;
-        if (place < first + source.pictures && wanted[place])
-            pictures.push_back(
-                {fs::path(source.file).filename().string() + ", frame " + std::to_string(frame.seq),
-                 copy_of(frame.pixels)});
+}  // namespace
+
+std::vector<NamedPicture> pictures_of_log(const fs::path& log, const std::set<std::size_t>& places) {
+    std::vector<NamedPicture> pictures;
+    std::size_t place = 0;
+    each_frame(log.string(), [&](const Frame& frame) {
+        if (places.contains(place))
+            pictures.push_back({log.filename().string() + ", frame " + std::to_string(frame.seq),
+                                copy_of(frame.pixels), log, place});
+        ++place;
     });
+    if (pictures.size() < places.size()) {
+        throw ConfigurationError(log.string() + ": holds " + std::to_string(place) +
+                                 " pictures, numbered from 0; there is no number " +
+                                 std::to_string(*places.rbegin()));
+    }
+    return pictures;
 }
 
-}  // namespace
+bool is_log_file(const fs::path& file) {
+    constexpr std::array<char, 4> sync_word = {'\xed', '\xa1', '\xda', '\x01'};
+    std::array<char, 4> begins{};
+    return std::ifstream(file, std::ios::binary).read(begins.data(), begins.size()) && begins == sync_word;
+}
 
 std::vector<NamedPicture> learning_pictures(const std::vector<std::string>& named,
                                             std::optional<ImageSize> size, std::size_t most) {
@@ -92,12 +105,16 @@ std::vector<NamedPicture> learning_pictures(const std::vector<std::string>& name
     std::size_t first = 0;
     for (const Source& source : sources) {
         if (source.is_log) {
-            read_log(source, wanted, first, pictures);
+            std::set<std::size_t> places;
+            for (std::size_t i = 0; i < source.pictures; ++i)
+                if (wanted[first + i]) places.insert(i);
+            std::ranges::move(pictures_of_log(source.file, places), std::back_inserter(pictures));
         } else if (wanted[first]) {
             try {
                 pictures.push_back(
                     {fs::path(source.file).filename().string(),
-                     read_image(source.file, is_raw_image_name(source.file) ? size : std::nullopt)});
+                     read_image(source.file, is_raw_image_name(source.file) ? size : std::nullopt),
+                     source.file, std::nullopt});
             } catch (const FileError& error) {
                 throw ConfigurationError(error.what());
             }

@@ -4,7 +4,9 @@
 #include "core/imaging/yuyv.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,8 @@ namespace goalmouth {
 struct NamedPicture {
     std::string name;  // for people
     YuyvImage image;
+    std::filesystem::path file;        // as it was named
+    std::optional<std::size_t> place;  // in a log: its number among the pictures there, from 0
 };
 
 /// Pictures, folders of them and LCM logs (their self-contained frames), in the order they are named; of more
@@ -21,5 +25,13 @@ struct NamedPicture {
 /// cannot be read or a log holds none.
 std::vector<NamedPicture> learning_pictures(const std::vector<std::string>& named,
                                             std::optional<ImageSize> size, std::size_t most);
+
+/// Those of a log with these places, in their order. Throws ConfigurationError where the log cannot be read
+/// or has not so many.
+std::vector<NamedPicture> pictures_of_log(const std::filesystem::path& log,
+                                          const std::set<std::size_t>& places);
+
+/// Whether the file begins as LCM logs do.
+bool is_log_file(const std::filesystem::path& file);
 
 }  // namespace goalmouth

@@ -1,39 +1,28 @@
 #pragma once
 
-#include "core/imaging/colour.h"
 #include "core/imaging/image_file.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <opencv2/core.hpp>
-
 namespace goalmouth {
 
-/// A part of a picture that shows one class.
-struct ColourBox {
-    std::filesystem::path picture;
-    Colour colour = Colour::unclassified;
-    cv::Rect box;  // px
-    int line = 0;  // of the file it was read from
-};
-
-/// A text file with a box a line: PICTURE CLASS X0 Y0 X1 Y1, corners inclusive, the picture relative to the
-/// file;
-/// "#" begins a remark. Throws ConfigurationError with file and line.
-std::vector<ColourBox> read_colour_boxes(const std::filesystem::path& file);
-
 struct TeachColoursOptions {
-    std::filesystem::path boxes;
+    std::vector<std::string> inputs;  // a file of marks; or pictures, folders of them, LCM logs
+    std::filesystem::path
+        marks;  // of the window: read where it is there, and saved; "": the output's, .marks
     std::optional<ImageSize> size;  // of raw pictures
     std::filesystem::path output;
     std::string name;  // "": the output's
     int bits = 6;
+    std::size_t most = 40;  // of more pictures, so many evenly spread
 };
 
-/// Makes a table from what is in the boxes, writes it, and says how much of each class it gets back. Throws
+/// Makes a table from marked pictures: those of a file of marks (marks_file.h), or those that a person marks
+/// in a window. Says how much of each class the table gets back. Returns the exit code. Throws
 /// ConfigurationError; the table that was there is left then.
 int teach_colours(const TeachColoursOptions& options);
 

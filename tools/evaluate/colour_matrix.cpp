@@ -53,6 +53,7 @@ class Matrix {
         const fs::path file =
             tables_.path() / (set + (without_labels ? "_pictures" : "_annotations") + ".gmct");
         for (const std::string& on : sets) {
+            if (stopped()) break;  // learning takes long, and asks nobody
             if (on != set && !fs::exists(file)) save_colour_table(table_of_set(options_, set), file);
             row.sets.push_back(evaluated(on, on == set ? fs::path() : file));
         }
@@ -66,6 +67,8 @@ class Matrix {
         for (const std::string& on : sets) row.sets.push_back(evaluated(on, file));
         return row;
     }
+
+    bool stopped() const { return progress_.stop && progress_.stop(); }
 
   private:
     ImageSetResult evaluated(const std::string& set, const fs::path& table) {
@@ -94,8 +97,10 @@ std::vector<ColourMatrixRow> colour_matrix(const ColourMatrixOptions& options,
     Matrix matrix(options, progress);
     std::vector<ColourMatrixRow> rows;
     for (const bool without_labels : {true, false})
-        for (const std::string& set : sets) rows.push_back(matrix.learnt_from(set, sets, without_labels));
-    for (const std::string& table : options.tables) rows.push_back(matrix.given(table, sets));
+        for (const std::string& set : sets)
+            if (!matrix.stopped()) rows.push_back(matrix.learnt_from(set, sets, without_labels));
+    for (const std::string& table : options.tables)
+        if (!matrix.stopped()) rows.push_back(matrix.given(table, sets));
     return rows;
 }
 

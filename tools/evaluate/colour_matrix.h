@@ -25,7 +25,8 @@ struct ColourMatrixRow {
 
 /// How each table does on each set: those learnt from a set's annotations, those learnt from its pictures
 /// alone (on the set itself each without the pictures it is judged on, on others from all of them), and those
-/// that were there. Throws ConfigurationError.
+/// that were there. Once `progress` says stop no further table is learnt, and rows are missing or incomplete.
+/// Throws ConfigurationError.
 std::vector<ColourMatrixRow> colour_matrix(const ColourMatrixOptions& options,
                                            const ImagesProgress& progress);
 

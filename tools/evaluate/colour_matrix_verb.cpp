@@ -3,8 +3,8 @@
 #include "tools/evaluate/colour_matrix.h"
 #include "tools/evaluate/command_line.h"
 #include "tools/evaluate/graph_settings.h"
-#include "tools/evaluate/interrupt.h"
 #include "tools/evaluate/progress.h"
+#include "tools/goalmouth/interrupt.h"
 #include "tools/goalmouth/output.h"
 
 #include <algorithm>

@@ -4,10 +4,10 @@
 #include "tools/evaluate/command_line.h"
 #include "tools/evaluate/graph_settings.h"
 #include "tools/evaluate/images_report.h"
-#include "tools/evaluate/interrupt.h"
 #include "tools/evaluate/progress.h"
 #include "tools/evaluate/report/figure.h"
 #include "tools/evaluate/report/report_folder.h"
+#include "tools/goalmouth/interrupt.h"
 #include "tools/goalmouth/output.h"
 
 #include <algorithm>

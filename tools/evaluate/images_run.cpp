@@ -127,9 +127,11 @@ ColourTable learnt_table(std::span<const LabelledScene> scenes, const std::strin
 }
 
 void learn_tables(const std::vector<LabelledScene>& scenes, const std::string& set,
-                  const ImagesOptions& options, const fs::path& field, const TemporaryFolder& folder) {
+                  const ImagesOptions& options, const fs::path& field, const TemporaryFolder& folder,
+                  const std::function<bool()>& stop) {
     for_each_in_parallel(
-        static_cast<std::size_t>(options.folds), options.jobs, [&](std::size_t, std::size_t fold) {
+        static_cast<std::size_t>(options.folds), options.jobs,
+        [&](std::size_t, std::size_t fold) {
             const Fold left_out{static_cast<int>(fold), options.folds};
             std::vector<LabelledScene> others;
             for (std::size_t i = 0; i < scenes.size(); ++i)
@@ -137,7 +139,8 @@ void learn_tables(const std::vector<LabelledScene>& scenes, const std::string& s
             save_colour_table(
                 learnt_table(others, set, set + " without fold " + std::to_string(fold), options, field),
                 table_of_fold(folder, left_out.index));
-        });
+        },
+        stop);
 }
 
 /// The chains of one thread, each made when it is needed first.
@@ -185,7 +188,7 @@ ImageSetResult evaluate_set(const std::string& set, const std::vector<AnnotatedI
     const TemporaryFolder tables;
     if (options.colours.empty() &&
         std::any_of(options.detectors.begin(), options.detectors.end(), takes_colours))
-        learn_tables(scenes, set, options, result.field, tables);
+        learn_tables(scenes, set, options, result.field, tables, progress.stop);
 
     std::vector<Chains> workers;
     for (int i = 0; i < options.jobs; ++i) workers.emplace_back(options, result.camera, result.field, tables);

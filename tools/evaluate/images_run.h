@@ -54,7 +54,7 @@ struct ImageSetResult {
 struct ImagesProgress {
     std::function<void(std::size_t pictures)> expect;  // in all; before the first
     std::function<void()> step;                        // after each picture; from any thread
-    std::function<bool()> stop;                        // no further picture is begun
+    std::function<bool()> stop;                        // no further picture and no further table is begun
 };
 
 /// The sets `options` asks for, and how many pictures they have in all. Throw as evaluate_images().

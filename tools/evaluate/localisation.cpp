@@ -6,13 +6,13 @@
 #include "modules/simulator/simulator_module.h"
 #include "tools/evaluate/command_line.h"
 #include "tools/evaluate/graph_settings.h"
-#include "tools/evaluate/interrupt.h"
 #include "tools/evaluate/localisation_report.h"
 #include "tools/evaluate/localisation_run.h"
 #include "tools/evaluate/paper.h"
 #include "tools/evaluate/progress.h"
 #include "tools/evaluate/shard.h"
 #include "tools/goalmouth/checks.h"
+#include "tools/goalmouth/interrupt.h"
 #include "tools/goalmouth/output.h"
 
 #include <algorithm>

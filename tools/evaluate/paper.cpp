@@ -3,13 +3,13 @@
 #include "core/process/configuration.h"
 #include "tools/evaluate/command_line.h"
 #include "tools/evaluate/evaluate.h"
-#include "tools/evaluate/interrupt.h"
 #include "tools/evaluate/paper_report.h"
 #include "tools/evaluate/paper_table.h"
 #include "tools/evaluate/progress.h"
 #include "tools/evaluate/report/figure.h"
 #include "tools/evaluate/report/report_folder.h"
 #include "tools/evaluate/shard.h"
+#include "tools/goalmouth/interrupt.h"
 #include "tools/goalmouth/output.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "tests/graph/processes.h"
+#include "tests/support/processes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "tools/evaluate/interrupt.h"
+#include "tools/goalmouth/interrupt.h"
 
 #include <array>
 #include <atomic>
