@@ -11,6 +11,18 @@ namespace {
 
 constexpr auto widest = static_cast<std::size_t>(widest_window);
 
+/// Luma's and the colour differences' sums over the pairs first … last, which are in the row.
+struct PairSums {
+    PairSums(const std::uint8_t* row, int first, int last) {
+        for (int i = first; i <= last; ++i) {
+            luma += row[4 * i] + row[4 * i + 2];
+            cb += row[4 * i + 1] - 128;
+            cr += row[4 * i + 3] - 128;
+        }
+    }
+    int luma = 0, cb = 0, cr = 0;
+};
+
 template <class T>
 void make_room(std::vector<T>& array, std::size_t count) {
     if (array.size() < count) array.resize(count);
@@ -18,28 +30,15 @@ void make_room(std::vector<T>& array, std::size_t count) {
 
 }  // namespace
 
-void ChromaRow::load(YuyvView image, int y) {
+void ChromaRow::load(YuyvView image, int y, int ahead) {
     pairs_ = (image.width + 1) / 2;
     for (auto* array : {&y_, &cb_, &cr_, &sum_y_, &sum_cb_, &sum_cr_})
         make_room(*array, size() + widest + row_margin);
-    split_row(image.row(y), size(), {y_.data(), cb_.data(), cr_.data()});
+    split_row(image.row(y), size(), {y_.data(), cb_.data(), cr_.data()}, image.row(ahead));
 }
 
 Appearance ChromaRow::mean(int first, int last) const {
-    first = std::max(first, 0);
-    last = std::min(last, pairs_ - 1);
-    if (first > last) return {};
-    int luma = 0;
-    int cb = 0;
-    int cr = 0;
-    for (auto i = static_cast<std::size_t>(first); i <= static_cast<std::size_t>(last); ++i) {
-        luma += y_[i];
-        cb += cb_[i];
-        cr += cr_[i];
-    }
-    const float share = 1.F / static_cast<float>(last - first + 1);
-    return Appearance{0.5F * static_cast<float>(luma), static_cast<float>(cb), static_cast<float>(cr)} *
-           share;
+    return mean_of({y_.data(), cb_.data(), cr_.data()}, std::max(first, 0), std::min(last, pairs_ - 1));
 }
 
 std::span<const float> ChromaRow::squared_steps(int window, float chroma_weight) {
@@ -66,32 +65,26 @@ std::span<const std::int32_t> ChromaRow::peaks(float least, int reach) {
     return {peaks_.data(), count};
 }
 
-std::span<const std::uint8_t> ChromaRow::is_field(const FieldColour& field) {
-    make_room(is_field_, size() + row_margin);
-    // The last pair's right neighbour is itself.
-    y_[size()] = y_[size() - 1];
-    cb_[size()] = cb_[size() - 1];
-    cr_[size()] = cr_[size() - 1];
-    find_field({y_.data(), cb_.data(), cr_.data()}, size(), field, is_field_.data());
-    return {is_field_.data(), size()};
-}
-
 Appearance mean_of_pairs(YuyvView image, int y, int first, int last) {
     first = std::max(first, 0);
     last = std::min(last, (image.width + 1) / 2 - 1);
     if (first > last) return {};
-    const std::uint8_t* row = image.row(y);
-    int luma = 0;
-    int cb = 0;
-    int cr = 0;
-    for (int i = first; i <= last; ++i) {
-        luma += row[4 * i] + row[4 * i + 2];
-        cb += row[4 * i + 1] - 128;
-        cr += row[4 * i + 3] - 128;
-    }
+    const PairSums sums(image.row(y), first, last);
     const float share = 1.F / static_cast<float>(last - first + 1);
-    return Appearance{0.5F * static_cast<float>(luma), static_cast<float>(cb), static_cast<float>(cr)} *
+    return Appearance{0.5F * static_cast<float>(sums.luma), static_cast<float>(sums.cb),
+                      static_cast<float>(sums.cr)} *
            share;
+}
+
+float squared_step(YuyvView image, int y, int pair, int window, float chroma_weight) {
+    if (pair < window || pair + window > (image.width + 1) / 2) return 0.F;
+    const PairSums before(image.row(y), pair - window, pair - 1);
+    const PairSums after(image.row(y), pair, pair + window - 1);
+    const auto pairs = static_cast<float>(window);
+    const auto dy = static_cast<float>(after.luma - before.luma);
+    const auto dcb = static_cast<float>(after.cb - before.cb);
+    const auto dcr = static_cast<float>(after.cr - before.cr);
+    return 0.25F / (pairs * pairs) * (dy * dy + 4.F * chroma_weight * (dcb * dcb + dcr * dcr));
 }
 
 }  // namespace goalmouth

@@ -17,17 +17,14 @@ namespace {
 constexpr std::size_t survey_rows = 24;
 constexpr int survey_pairs = 48;
 
+/// Memory is asked for so many rows of the layout before their turn.
+constexpr std::size_t rows_ahead = 2;
+
 /// A chain begins with a surface at least this share as bright as a post has to be: one part of it may lie in
 /// shade.
 constexpr double share_of_brightness = 0.7;
 /// and a stretch that both its edges show this share.
 constexpr double share_of_mean_brightness = 0.9;
-
-/// Rows of the layout lie too far apart for the hardware to fetch the next one by itself.
-void ask_for_row(YuyvView image, int y) {
-    constexpr int cache_line = 64;  // bytes
-    for (int i = 0; i < yuyv_row_bytes(image.width); i += cache_line) hwy::Prefetch(image.row(y) + i);
-}
 
 /// Posts do not touch: what shares an edge with another strip is what lies behind that one.
 bool touch(const UprightStrip& a, const UprightStrip& b) {
@@ -89,7 +86,10 @@ class LineWriter {
 }  // namespace
 
 EdgeSegmenter::EdgeSegmenter(const EdgeSegmentationParameters& parameters)
-    : parameters_(parameters), left_finder_(parameters.posts), right_finder_(parameters.posts) {}
+    : parameters_(parameters),
+      left_finder_(parameters.posts),
+      right_finder_(parameters.posts),
+      seed_finder_(parameters.posts) {}
 
 const Segments& EdgeSegmenter::segment(YuyvView image, const ScanLayout& layout,
                                        const CameraOverGround* view) {
@@ -124,14 +124,16 @@ void EdgeSegmenter::survey(YuyvView image) {
     samples_.clear();
     sampled_steps_.clear();
     const std::size_t rows_apart = std::max<std::size_t>(1, frame_.rows.size() / survey_rows);
+    const int pairs = (image.width + 1) / 2;
+    const int pairs_apart = std::max(1, pairs / survey_pairs);
     for (std::size_t row = rows_apart / 2; row < frame_.rows.size(); row += rows_apart) {
-        row_.load(image, frame_.rows[row]);
-        const auto steps = row_.squared_steps(threshold_.window, threshold_.chroma_weight);
-        const float down = static_cast<float>(frame_.rows[row] + 1) / static_cast<float>(image.height);
-        const int pairs_apart = std::max(1, row_.pairs() / survey_pairs);
-        for (int i = threshold_.window; i + threshold_.window <= row_.pairs(); i += pairs_apart) {
-            samples_.push_back({row_.mean(i, i + 1), down});
-            sampled_steps_.push_back(steps[static_cast<std::size_t>(i)]);
+        const int y = frame_.rows[row];
+        const int next_y = frame_.rows[std::min(row + rows_apart, frame_.rows.size() - 1)];
+        const float down = static_cast<float>(y + 1) / static_cast<float>(image.height);
+        for (int i = threshold_.window; i + threshold_.window <= pairs; i += pairs_apart) {
+            hwy::Prefetch(image.row(next_y) + 4 * i);
+            samples_.push_back({mean_of_pairs(image, y, i, i + 1), down});
+            sampled_steps_.push_back(squared_step(image, y, i, threshold_.window, threshold_.chroma_weight));
         }
     }
     double noise = 0.0;
@@ -145,13 +147,12 @@ void EdgeSegmenter::survey(YuyvView image) {
 }
 
 void EdgeSegmenter::find_edges(YuyvView image) {
-    ground_.begin(frame_.rows, columns_);
+    ground_.begin(image, frame_.rows, columns_);
     for (std::size_t row = 0; row < frame_.rows.size(); ++row) {
         frame_.first.push_back(frame_.edges.size());
-        row_.load(image, frame_.rows[row]);
-        if (row + 1 < frame_.rows.size()) ask_for_row(image, frame_.rows[row + 1]);
+        row_.load(image, frame_.rows[row], frame_.rows[std::min(row + rows_ahead, frame_.rows.size() - 1)]);
         find_row_edges(row_, threshold_, field_, frame_.edges);
-        if (field_) ground_.add_row(row_, *field_);
+        if (field_) ground_.add_row(*field_);
     }
     frame_.first.push_back(frame_.edges.size());
     ground_.finish();
@@ -165,13 +166,13 @@ void EdgeSegmenter::find_posts(YuyvView image, const CameraOverGround* view) {
         static_cast<float>(share_of_mean_brightness * posts.least_brightness) * field_->luma();
     const auto left = left_finder_.find(frame_, ChainSide::left, threshold_, straightness, darkest);
     const auto right = right_finder_.find(frame_, ChainSide::right, threshold_, straightness, darkest);
-    find_strip_seeds(frame_, left, right, posts, threshold_.chroma_weight, straightness, image.width, seeds_);
-    for (const StripSeed& seed : seeds_) {
+    for (const StripSeed& seed :
+         seed_finder_.find(frame_, left, right, threshold_.chroma_weight, straightness, image.width)) {
         if (seed.inside.y < darkest_mean) continue;
         if (std::any_of(strips_.begin(), strips_.end(),
                         [&](const JudgedStrip& s) { return known(seed, frame_, s, straightness); }))
             continue;
-        JudgedStrip judged{grow_strip(image, frame_, seed, posts, threshold_, straightness), ""};
+        JudgedStrip judged{grow_strip(image, frame_, seed, posts, threshold_, straightness, stretch_), ""};
         if (judged.strip.rows.empty()) continue;
         judged.refused = why_no_post(judged.strip, frame_, ground_, *field_, posts, threshold_, straightness,
                                      image.width, image.height, view)

@@ -8,6 +8,7 @@
 #include "core/edges/frame_edges.h"
 #include "core/edges/ground.h"
 #include "core/edges/row_edges.h"
+#include "core/edges/row_stretch.h"
 #include "core/edges/strip_seeds.h"
 #include "core/edges/upright_strip.h"
 #include "core/imaging/yuyv.h"
@@ -67,8 +68,10 @@ class EdgeSegmenter {
     EdgeSegmentationParameters parameters_;
     FieldColourFinder field_finder_;
     ChainFinder left_finder_, right_finder_;
+    StripSeedFinder seed_finder_;
     Ground ground_;
     ChromaRow row_;
+    RowStretch stretch_;
     std::vector<float> sampled_steps_;
     std::vector<FieldSample> samples_;
     std::vector<int> columns_;  // px
@@ -76,7 +79,6 @@ class EdgeSegmenter {
     EdgeThreshold threshold_;
     std::optional<FieldColour> field_;
     FrameEdges frame_;
-    std::vector<StripSeed> seeds_;
     std::vector<JudgedStrip> strips_;
 
     /// Goal runs of all rows, row by row.
