@@ -25,7 +25,8 @@ class ChromaRow {
         const auto i = static_cast<std::size_t>(pair);
         return {0.5F * static_cast<float>(y_[i]), static_cast<float>(cb_[i]), static_cast<float>(cr_[i])};
     }
-    /// Mean of the pairs first … last; what of them lies beyond the row is left out. Nothing left: zero.
+    /// Mean of the pairs first … last, which asks the frame; what of them lies beyond the row is left out.
+    /// Nothing left: zero.
     Appearance mean(int first, int last) const;
 
     /// The row's derivative by two boxes: for each pair the mean of `window` pairs from it on less that of as
@@ -40,6 +41,7 @@ class ChromaRow {
   private:
     std::size_t size() const { return static_cast<std::size_t>(pairs_); }
 
+    const std::uint8_t* row_ = nullptr;
     int pairs_ = 0;
     // Each with a margin behind it, since whole vectors are read and written:
     std::vector<std::int16_t> y_;                        // sum of the two lumas
@@ -48,9 +50,5 @@ class ChromaRow {
     std::vector<float> steps_;                           // behind as many zeros as `reach` may be
     std::vector<std::int32_t> peaks_;
 };
-
-/// Mean of the pairs first … last in row y of a frame, and its derivative at a pair, as ChromaRow has them.
-Appearance mean_of_pairs(YuyvView image, int y, int first, int last);
-float squared_step(YuyvView image, int y, int pair, int window, float chroma_weight);
 
 }  // namespace goalmouth

@@ -70,12 +70,11 @@ const RowEdge* ChainFinder::next_edge(std::span<const RowEdge> edges, const Trac
     for (auto e = begin; e != edges.end() && static_cast<double>(e->x) <= x + tolerance; ++e) {
         if (claimed_[static_cast<std::size_t>(e - edges.begin())] || inside_is_field(*e, side_)) continue;
         const double bound = parameters_.sameness * static_cast<double>(e->strength);
-        const double unlike =
-            static_cast<double>(squared_unlikeness(inside_of(*e, side_), track.inside, chroma_weight_)) /
-            (bound * bound);
-        if (unlike > 1.0) continue;
+        const auto squared =
+            static_cast<double>(squared_unlikeness(inside_of(*e, side_), track.inside, chroma_weight_));
+        if (squared > bound * bound) continue;
         const double off = (static_cast<double>(e->x) - x) / tolerance;
-        const double cost = unlike + off * off;
+        const double cost = squared / (bound * bound) + off * off;
         if (best != nullptr && cost >= least) continue;
         best = &*e;
         least = cost;

@@ -1,6 +1,7 @@
 #include "core/edges/edge_segmentation.h"
 
 #include "core/edges/frame_scale.h"
+#include "core/edges/pair_mean.h"
 #include "core/edges/post_rules.h"
 #include "core/edges/strip_growth.h"
 #include "core/segmentation/label_changes.h"
@@ -124,16 +125,14 @@ void EdgeSegmenter::survey(YuyvView image) {
     samples_.clear();
     sampled_steps_.clear();
     const std::size_t rows_apart = std::max<std::size_t>(1, frame_.rows.size() / survey_rows);
-    const int pairs = (image.width + 1) / 2;
-    const int pairs_apart = std::max(1, pairs / survey_pairs);
     for (std::size_t row = rows_apart / 2; row < frame_.rows.size(); row += rows_apart) {
-        const int y = frame_.rows[row];
-        const int next_y = frame_.rows[std::min(row + rows_apart, frame_.rows.size() - 1)];
-        const float down = static_cast<float>(y + 1) / static_cast<float>(image.height);
-        for (int i = threshold_.window; i + threshold_.window <= pairs; i += pairs_apart) {
-            hwy::Prefetch(image.row(next_y) + 4 * i);
-            samples_.push_back({mean_of_pairs(image, y, i, i + 1), down});
-            sampled_steps_.push_back(squared_step(image, y, i, threshold_.window, threshold_.chroma_weight));
+        row_.load(image, frame_.rows[row], frame_.rows[std::min(row + rows_apart, frame_.rows.size() - 1)]);
+        const auto steps = row_.squared_steps(threshold_.window, threshold_.chroma_weight);
+        const float down = static_cast<float>(frame_.rows[row] + 1) / static_cast<float>(image.height);
+        const int pairs_apart = std::max(1, row_.pairs() / survey_pairs);
+        for (int i = threshold_.window; i + threshold_.window <= row_.pairs(); i += pairs_apart) {
+            samples_.push_back({row_.mean(i, i + 1), down});
+            sampled_steps_.push_back(steps[static_cast<std::size_t>(i)]);
         }
     }
     double noise = 0.0;
@@ -244,13 +243,28 @@ void EdgeSegmenter::write_rows(YuyvView image) {
     }
 }
 
-/// The field's first pixel between a sample above it and one on it, by halves.
-int EdgeSegmenter::field_begins(YuyvView image, int x, int upper, int lower) const {
-    while (lower - upper > 1) {
-        const int middle = (upper + lower) / 2;
-        (field_->contains(mean_of_pairs(image, middle, x / 2, x / 2 + 1)) ? lower : upper) = middle;
+/// Where the field begins in each column whose border lies between two rows: the first pixel that is the
+/// field's, by halves. All columns take their halves together, so that the memory of the next one is on its
+/// way.
+void EdgeSegmenter::locate_border(YuyvView image) {
+    const auto ask_for = [&](const BorderPlace& p) {
+        hwy::Prefetch(image.row((p.upper + p.lower) / 2) + 4 * (columns_[p.column] / 2));
+    };
+    const int last_pair = (image.width - 1) / 2;
+    for (const BorderPlace& place : border_) ask_for(place);
+    for (bool more = true; more;) {
+        more = false;
+        for (BorderPlace& place : border_) {
+            if (place.lower - place.upper <= 1) continue;
+            const int middle = (place.upper + place.lower) / 2;
+            const int pair = columns_[place.column] / 2;
+            const bool field =
+                field_->contains(mean_of_pairs(image.row(middle), pair, std::min(pair + 1, last_pair)));
+            (field ? place.lower : place.upper) = middle;
+            ask_for(place);
+            more = true;
+        }
     }
-    return lower;
 }
 
 void EdgeSegmenter::write_columns(YuyvView image) {
@@ -281,22 +295,33 @@ void EdgeSegmenter::write_columns(YuyvView image) {
     sorted_.resize(changes_.size());
     for (const ColumnChange& change : changes_) sorted_[first_change_[change.column]++] = change;
 
+    border_.clear();
+    const auto label_at = [&](std::size_t row, std::size_t column) {
+        return static_cast<Colour>(labels_[row * columns + column]);
+    };
+    // To the pixel where it matters: where the field begins for the first time, but not behind a post.
+    for (std::size_t i = 0; i < sorted_.size(); ++i) {
+        const auto& [row, column] = sorted_[i];
+        if (label_at(row, column) != Colour::field || label_at(0, column) == Colour::field) continue;
+        if (!border_.empty() && border_.back().column == column) continue;
+        border_.push_back({column, i, frame_.rows[row - 1], frame_.rows[row]});
+    }
+    std::erase_if(border_, [&](const BorderPlace& place) {
+        const ColumnChange& change = sorted_[place.change];
+        return label_at(change.row - 1, change.column) == Colour::goal;
+    });
+    locate_border(image);
+
+    auto place = border_.begin();
     auto change = sorted_.begin();
     for (std::size_t c = 0; c < columns; ++c) {
         LineWriter line(segments_, Orientation::vertical, columns_[c]);
-        const auto label = [&](std::size_t row) { return static_cast<Colour>(labels_[row * columns + c]); };
-        line.change(0, rows > 0 ? label(0) : Colour::unclassified);
-        bool begun = rows > 0 && label(0) == Colour::field;
+        line.change(0, rows > 0 ? label_at(0, c) : Colour::unclassified);
         for (; change != sorted_.end() && change->column == c; ++change) {
-            const Colour above = label(change->row - 1);
-            const Colour below = label(change->row);
-            const int upper = frame_.rows[change->row - 1];
-            const int lower = frame_.rows[change->row];
-            // To the pixel where it matters, at the border.
-            const bool border = above != Colour::goal && below == Colour::field && !begun;
-            begun = begun || below == Colour::field;
-            line.change(border ? field_begins(image, columns_[c], upper, lower) : (upper + lower + 1) / 2,
-                        below);
+            int start = (frame_.rows[change->row - 1] + frame_.rows[change->row] + 1) / 2;
+            if (place != border_.end() && place->change == static_cast<std::size_t>(change - sorted_.begin()))
+                start = (place++)->lower;
+            line.change(start, label_at(change->row, c));
         }
         line.end(image.height);
     }

@@ -63,7 +63,7 @@ class EdgeSegmenter {
     void find_posts(YuyvView image, const CameraOverGround* view);
     void write_rows(YuyvView image);
     void write_columns(YuyvView image);
-    int field_begins(YuyvView image, int x, int upper, int lower) const;
+    void locate_border(YuyvView image);
 
     EdgeSegmentationParameters parameters_;
     FieldColourFinder field_finder_;
@@ -96,6 +96,13 @@ class EdgeSegmenter {
     std::vector<std::uint8_t> labels_;  // by row and column
     std::vector<std::int32_t> changed_;
     std::vector<ColumnChange> changes_, sorted_;
+    /// Of the changes in sorted_ that where the field begins in a column.
+    struct BorderPlace {
+        std::size_t column;
+        std::size_t change;
+        int upper, lower;  // px, rows above it and on it, closer and closer
+    };
+    std::vector<BorderPlace> border_;
     std::vector<std::size_t> first_change_;  // of each column in sorted_; one more at the end
     Segments segments_;
 };

@@ -1,5 +1,6 @@
 #include "core/edges/ground.h"
 
+#include "core/edges/pair_mean.h"
 #include "core/edges/row_vectors.h"
 #include "core/geometry/convex_hull.h"
 #include "core/segmentation/pixel_labels.h"
@@ -16,17 +17,19 @@ void Ground::begin(YuyvView image, const std::vector<int>& rows, const std::vect
     mask_.assign(rows.size() * columns.size() + std::max(label_margin, row_margin), 0);
     hull_.clear();
     pairs_.clear();
-    next_pairs_.clear();
-    for (const int x : columns) {
-        pairs_.push_back(x / 2);
-        next_pairs_.push_back(std::min(x / 2 + 1, (image.width - 1) / 2));
-    }
+    // Each with its right neighbour, the picture's last one with its left one.
+    for (const int x : columns) pairs_.push_back(std::max(0, std::min(x / 2, (image.width - 1) / 2 - 1)));
 }
 
 void Ground::add_row(const FieldColour& field) {
-    find_field(image_.row((*rows_)[rows_seen_]), pairs_.data(), next_pairs_.data(), columns_->size(), field,
-               mask_.data() + rows_seen_ * columns_->size());
+    const std::uint8_t* row = image_.row((*rows_)[rows_seen_]);
+    std::uint8_t* mask = mask_.data() + rows_seen_ * columns_->size();
     ++rows_seen_;
+    if (image_.width > 2) {
+        find_field(row, pairs_.data(), columns_->size(), field, mask);
+    } else {
+        std::fill_n(mask, columns_->size(), field.contains(mean_of_pairs(row, 0, 0)) ? 1 : 0);
+    }
 }
 
 void Ground::finish() {
@@ -37,11 +40,6 @@ void Ground::finish() {
     for (std::size_t c = 0; c < columns; ++c) {
         const auto begins = static_cast<std::size_t>(begins_[c]);
         if (begins < rows_seen_) points_.emplace_back((*columns_)[c], (*rows_)[begins]);
-    }
-    for (std::size_t r = 0; r < rows_seen_; ++r) {
-        std::uint8_t* mask = mask_.data() + r * columns;
-        for (std::size_t c = 0; c < columns; ++c)
-            mask[c] = begins_[c] <= static_cast<std::int32_t>(r) ? mask[c] : std::uint8_t{0};
     }
     upper_hull(points_, hull_);
 }

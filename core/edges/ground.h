@@ -38,7 +38,7 @@ class Ground {
     const std::vector<int>* columns_ = nullptr;
     std::size_t rows_seen_ = 0;
     std::vector<std::uint8_t> mask_;
-    std::vector<std::int32_t> pairs_, next_pairs_;  // of the columns
+    std::vector<std::int32_t> pairs_;  // of the columns
     std::vector<std::int32_t> begins_;
     std::vector<Eigen::Vector2d> points_, hull_;
 };

@@ -1,5 +1,6 @@
 #include "core/edges/row_stretch.h"
 
+#include "core/edges/pair_mean.h"
 #include "core/edges/row_vectors.h"
 #include "core/edges/stretch_vectors.h"
 
@@ -40,8 +41,7 @@ void RowStretch::ask_for(YuyvView image, int y) const {
 }
 
 Appearance RowStretch::mean(int first, int last) const {
-    return mean_of({y_.data(), cb_.data(), cr_.data()}, std::max(first, first_) - first_,
-                   std::min(last, end_ - 1) - first_);
+    return mean_of_pairs(bytes_.data(), std::max(first, first_) - first_, std::min(last, end_ - 1) - first_);
 }
 
 std::span<const float> RowStretch::unlikeness(int first, int last, int window, const Appearance& surface,

@@ -64,7 +64,8 @@ void SplitRow(const std::uint8_t* row, std::size_t pairs, Planes<std::int16_t> p
 }
 
 void BoxSums(const std::int16_t* values, std::size_t count, std::size_t window, std::int16_t* sums) {
-    const hn::CappedTag<std::int16_t, 32> d;
+    // Longer vectors would lie across two cache lines each time.
+    const hn::CappedTag<std::int16_t, 16> d;
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
         auto sum = hn::LoadU(d, values + i);
         for (std::size_t k = 1; k < window; ++k) sum = hn::Add(sum, hn::LoadU(d, values + i + k));
@@ -121,23 +122,19 @@ std::size_t FindPeaks(const float* steps, std::size_t count, float least, std::s
 /// Columns whose pixels are put side by side before they are worked on.
 constexpr std::size_t side_by_side = 64;
 
-void FindField(const std::uint8_t* row, const std::int32_t* pairs, const std::int32_t* next,
-               std::size_t count, const FieldColour& field, std::uint8_t* is_field) {
+void FindField(const std::uint8_t* row, const std::int32_t* pairs, std::size_t count,
+               const FieldColour& field, std::uint8_t* is_field) {
     const DI di;
     const DF d;
     const hn::Rebind<std::uint8_t, DF> bytes;
     const FieldColour::Ellipse e = field.ellipse();
-    HWY_ALIGN std::int32_t first[side_by_side] = {};
-    HWY_ALIGN std::int32_t second[side_by_side] = {};
+    HWY_ALIGN std::int32_t two[2 * side_by_side] = {};
     for (std::size_t from = 0; from < count; from += side_by_side) {
         const std::size_t columns = HWY_MIN(side_by_side, count - from);
-        for (std::size_t k = 0; k < columns; ++k) {
-            std::memcpy(first + k, row + 4 * pairs[from + k], 4);
-            std::memcpy(second + k, row + 4 * next[from + k], 4);
-        }
+        for (std::size_t k = 0; k < columns; ++k) std::memcpy(two + 2 * k, row + 4 * pairs[from + k], 8);
         for (std::size_t i = 0; i < columns; i += hn::Lanes(di)) {
-            const I a = hn::Load(di, first + i);
-            const I b = hn::Load(di, second + i);
+            I a, b;
+            hn::LoadInterleaved2(di, two + 2 * i, a, b);
             const auto sum = [&](int shift) {
                 return hn::Add(low_byte(hn::ShiftRightSame(a, shift)),
                                low_byte(hn::ShiftRightSame(b, shift)));
@@ -161,16 +158,16 @@ void FindField(const std::uint8_t* row, const std::int32_t* pairs, const std::in
     }
 }
 
-/// The same steps in each column, from the lowest row up.
-void FindGround(const std::uint8_t* is_field, std::size_t rows, std::size_t columns, std::int32_t* begins) {
+void FindGround(std::uint8_t* is_field, std::size_t rows, std::size_t columns, std::int32_t* begins) {
     const DI d;
     const hn::Rebind<std::uint8_t, DI> bytes;
     for (std::size_t c = 0; c < columns; c += hn::Lanes(d)) {
+        const auto row = [&](std::size_t r) { return is_field + r * columns + c; };
         I sum = hn::Zero(d);
         I most = hn::Zero(d);
         I best = hn::Set(d, static_cast<std::int32_t>(rows));
         for (std::size_t r = rows; r-- > 0;) {
-            const I field = hn::PromoteTo(d, hn::LoadU(bytes, is_field + r * columns + c));
+            const I field = hn::PromoteTo(d, hn::LoadU(bytes, row(r)));
             // 2 for each that is field, −1 for each that is not.
             sum = hn::Add(sum, hn::Sub(hn::Add(field, hn::Add(field, field)), hn::Set(d, 1)));
             const auto more = hn::Gt(sum, most);
@@ -178,6 +175,13 @@ void FindGround(const std::uint8_t* is_field, std::size_t rows, std::size_t colu
             best = hn::IfThenElse(more, hn::Set(d, static_cast<std::int32_t>(r)), best);
         }
         hn::StoreU(best, d, begins + c);
+        const auto here = hn::FirstN(d, columns - c);
+        for (std::size_t r = 0; r < rows; ++r) {
+            const auto above = hn::And(hn::Gt(best, hn::Set(d, static_cast<std::int32_t>(r))), here);
+            if (hn::AllFalse(d, above)) break;
+            const I field = hn::PromoteTo(d, hn::LoadU(bytes, row(r)));
+            hn::StoreU(hn::DemoteTo(bytes, hn::IfThenZeroElse(above, field)), bytes, row(r));
+        }
     }
 }
 
@@ -211,11 +215,11 @@ std::size_t find_peaks(const float* steps, std::size_t count, float least, std::
                        std::int32_t* peaks) {
     return HWY_DYNAMIC_DISPATCH(FindPeaks)(steps, count, least, reach, peaks);
 }
-void find_field(const std::uint8_t* row, const std::int32_t* pairs, const std::int32_t* next,
-                std::size_t count, const FieldColour& field, std::uint8_t* is_field) {
-    HWY_DYNAMIC_DISPATCH(FindField)(row, pairs, next, count, field, is_field);
+void find_field(const std::uint8_t* row, const std::int32_t* pairs, std::size_t count,
+                const FieldColour& field, std::uint8_t* is_field) {
+    HWY_DYNAMIC_DISPATCH(FindField)(row, pairs, count, field, is_field);
 }
-void find_ground(const std::uint8_t* is_field, std::size_t rows, std::size_t columns, std::int32_t* begins) {
+void find_ground(std::uint8_t* is_field, std::size_t rows, std::size_t columns, std::int32_t* begins) {
     HWY_DYNAMIC_DISPATCH(FindGround)(is_field, rows, columns, begins);
 }
 

@@ -26,13 +26,12 @@ void square_steps(Planes<const std::int16_t> sums, std::size_t count, std::size_
 std::size_t find_peaks(const float* steps, std::size_t count, float least, std::size_t reach,
                        std::int32_t* peaks);
 
-/// 1 where the mean of the row's pairs pairs[i] and next[i] is the field's, else 0.
-void find_field(const std::uint8_t* row, const std::int32_t* pairs, const std::int32_t* next,
-                std::size_t count, const FieldColour& field, std::uint8_t* is_field);
+/// 1 where the mean of the row's pairs pairs[i] and pairs[i] + 1 is the field's, else 0.
+void find_field(const std::uint8_t* row, const std::int32_t* pairs, std::size_t count,
+                const FieldColour& field, std::uint8_t* is_field);
 
 /// Of a mask, row by row, the row of each column from which on down it holds the most ones, each zero
-/// counting half against them; `rows` where that is none. The mask and `begins` have row_margin entries
-/// behind them.
-void find_ground(const std::uint8_t* is_field, std::size_t rows, std::size_t columns, std::int32_t* begins);
+/// counting half against them; `rows` where that is none. Ones above it become zeros.
+void find_ground(std::uint8_t* is_field, std::size_t rows, std::size_t columns, std::int32_t* begins);
 
 }  // namespace goalmouth

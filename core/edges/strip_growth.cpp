@@ -29,6 +29,8 @@ class Growth {
           threshold_(threshold),
           straightness_(straightness),
           reach_(static_cast<int>(std::ceil(0.5 * straightness))),
+          least_step_(std::max(share_of_threshold * static_cast<double>(threshold.strength),
+                               share_of_contrast * seed.contrast)),
           row_(row) {
         strip_.left = seed.left;
         strip_.right = seed.right;
@@ -57,8 +59,7 @@ class Growth {
 
   private:
     struct Step {
-        int pair = 0;  // the first one right of it
-        Appearance left, right;
+        int pair = 0;       // the first one right of it
         double size = 0.0;  // grey levels, how much more unlike the surface it is outside than inside
     };
 
@@ -105,9 +106,8 @@ class Growth {
         const int reach = std::min(static_cast<int>(0.1 * (r - l)), threshold_.window);
         const Appearance inside = row_.mean(middle - reach, middle + reach);
         // The same surface, or at least the same in other light, where a shadow ends on it.
-        const double bound = parameters_.sameness * seed_.contrast;
-        const bool same = unlike(inside, surface_) <= bound;
-        if (!same && unlike(inside, surface_, 0.F) > bound) return Seen::nothing;
+        const bool same = looks_like_surface(inside, shade_share);
+        if (!same && !looks_like_surface(inside, 0.F)) return Seen::nothing;
 
         const auto left = strongest_step(l, inside, ChainSide::left);
         const auto right = strongest_step(r, inside, ChainSide::right);
@@ -155,27 +155,27 @@ class Growth {
         Step step;
         step.pair = first + best;
         step.size = static_cast<double>(before[best] - after[best]);
-        // For its place, sides as they are where blur has ended.
-        const int gap = w > 1 ? 1 : 0;
-        step.left = row_.mean(step.pair - w, step.pair - 1 - gap);
-        step.right = row_.mean(step.pair + gap, step.pair + w - 1);
         return step;
     }
 
     std::optional<float> believed(const Step& step, double expected) const {
-        const double least = std::max(share_of_threshold * static_cast<double>(threshold_.strength),
-                                      share_of_contrast * seed_.contrast);
-        if (step.size < least) return std::nullopt;
-        const Appearance change = step.right - step.left;
+        if (step.size < least_step_) return std::nullopt;
+        // Sides as they are where blur has ended.
+        const int w = threshold_.window;
+        const int gap = w > 1 ? 1 : 0;
+        const Appearance left = row_.mean(step.pair - w, step.pair - 1 - gap);
+        const Appearance right = row_.mean(step.pair + gap, step.pair + w - 1);
+        const Appearance change = right - left;
         if (!(change.dot(change) > 0.F)) return std::nullopt;
-        const double x = row_.step_place(step.pair, threshold_.window, step.left, step.right);
+        const double x = row_.step_place(step.pair, w, left, right);
         if (std::abs(x - expected) > straightness_) return std::nullopt;
         return static_cast<float>(x);
     }
 
-    double unlike(const Appearance& a, const Appearance& surface, float shade = shade_share) const {
-        return std::sqrt(
-            static_cast<double>(squared_unlikeness(a, surface, threshold_.chroma_weight, shade)));
+    bool looks_like_surface(const Appearance& inside, float shade) const {
+        const double bound = parameters_.sameness * seed_.contrast;
+        return static_cast<double>(squared_unlikeness(inside, surface_, threshold_.chroma_weight, shade)) <=
+               bound * bound;
     }
     static int pair_at(double x) { return whole(0.5 * (x + 0.5)); }
     /// The pair with the left border that is nearest to x.
@@ -192,7 +192,8 @@ class Growth {
     const StripParameters& parameters_;
     EdgeThreshold threshold_;
     double straightness_;
-    int reach_;  // how far from where it is expected an edge is sought [pairs]
+    int reach_;          // how far from where it is expected an edge is sought [pairs]
+    double least_step_;  // grey levels, of an edge
     RowStretch& row_;
     UprightStrip strip_;
     Appearance surface_;  // as it was last seen
