@@ -1,5 +1,7 @@
 #include "core/edges/strip_growth.h"
 
+#include "core/edges/pair_mean.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -97,18 +99,19 @@ class Growth {
         const double l = strip_.left.at(y);
         const double r = strip_.right.at(y);
         if (r - l < 3.0 || l + r < 0.0 || l + r > 2.0 * image_.width) return Seen::nothing;
-        const int beside = reach_ + threshold_.window;
-        row_.load(image_, y, border_at(l) - beside, border_at(r) + beside);
-        if (next >= 0 && next < static_cast<int>(frame_.rows.size()))
-            row_.ask_for(image_, frame_.rows[static_cast<std::size_t>(next)]);
         // About its middle, off the edges.
         const int middle = pair_at(0.5 * (l + r));
         const int reach = std::min(static_cast<int>(0.1 * (r - l)), threshold_.window);
-        const Appearance inside = row_.mean(middle - reach, middle + reach);
+        const Appearance inside = mean_of_pairs(image_.row(y), std::max(0, middle - reach),
+                                                std::min((image_.width - 1) / 2, middle + reach));
         // The same surface, or at least the same in other light, where a shadow ends on it.
         const bool same = looks_like_surface(inside, shade_share);
         if (!same && !looks_like_surface(inside, 0.F)) return Seen::nothing;
 
+        const int beside = reach_ + threshold_.window;
+        row_.load(image_, y, border_at(l) - beside, border_at(r) + beside);
+        if (next >= 0 && next < static_cast<int>(frame_.rows.size()))
+            row_.ask_for(image_, frame_.rows[static_cast<std::size_t>(next)]);
         const auto left = strongest_step(l, inside, ChainSide::left);
         const auto right = strongest_step(r, inside, ChainSide::right);
         StripRow found;
@@ -149,12 +152,16 @@ class Growth {
         const auto* before = unlike.data();
         const auto* after = before + w;
         if (side == ChainSide::right) std::swap(before, after);
-        int best = 0;
-        for (int i = 1; i <= last - first; ++i)
-            if (before[i] - after[i] > before[best] - after[best]) best = i;
         Step step;
+        float most = before[0] - after[0];
+        int best = 0;
+        for (int i = 1; i <= last - first; ++i) {
+            const float size = before[i] - after[i];
+            best = size > most ? i : best;
+            most = std::max(most, size);
+        }
         step.pair = first + best;
-        step.size = static_cast<double>(before[best] - after[best]);
+        step.size = static_cast<double>(most);
         return step;
     }
 
