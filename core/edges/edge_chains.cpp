@@ -31,6 +31,8 @@ std::span<const EdgeChain> ChainFinder::find(const FrameEdges& frame, ChainSide 
     for (std::size_t row = 0; row < frame.rows.size(); ++row) {
         const auto edges = frame.of(row);
         claimed_.assign(edges.size(), 0);
+        places_.clear();
+        for (const RowEdge& edge : edges) places_.push_back(static_cast<double>(edge.x));
         std::size_t kept = 0;
         for (Track& track : tracks_) {
             const double step = frame.rows[row] - frame.y(track.last_row);
@@ -64,19 +66,19 @@ const RowEdge* ChainFinder::next_edge(std::span<const RowEdge> edges, const Trac
                                       double tolerance) const {
     const RowEdge* best = nullptr;
     double least = 0.0;
-    const auto begin =
-        std::lower_bound(edges.begin(), edges.end(), x - tolerance,
-                         [](const RowEdge& e, double value) { return static_cast<double>(e.x) < value; });
-    for (auto e = begin; e != edges.end() && static_cast<double>(e->x) <= x + tolerance; ++e) {
-        if (claimed_[static_cast<std::size_t>(e - edges.begin())] || inside_is_field(*e, side_)) continue;
+    const auto begin = static_cast<std::size_t>(
+        std::lower_bound(places_.begin(), places_.end(), x - tolerance) - places_.begin());
+    for (std::size_t i = begin; i < edges.size() && places_[i] <= x + tolerance; ++i) {
+        const RowEdge* e = &edges[i];
+        if (claimed_[i] || inside_is_field(*e, side_)) continue;
         const double bound = parameters_.sameness * static_cast<double>(e->strength);
         const auto squared =
             static_cast<double>(squared_unlikeness(inside_of(*e, side_), track.inside, chroma_weight_));
         if (squared > bound * bound) continue;
-        const double off = (static_cast<double>(e->x) - x) / tolerance;
+        const double off = (places_[i] - x) / tolerance;
         const double cost = squared / (bound * bound) + off * off;
         if (best != nullptr && cost >= least) continue;
-        best = &*e;
+        best = e;
         least = cost;
     }
     return best;

@@ -79,7 +79,8 @@ class ChainFinder {
     std::vector<EdgeChain> chains_;  // the first count_ are in use
     std::size_t count_ = 0;
     std::vector<Track> tracks_;
-    std::vector<char> claimed_;  // edges of the row in work
+    std::vector<double> places_;  // x of the edges of the row in work
+    std::vector<char> claimed_;   // and which continue a chain
 };
 
 }  // namespace goalmouth

@@ -1,15 +1,11 @@
 #include "core/edges/edge_segmentation.h"
 
 #include "core/edges/frame_scale.h"
-#include "core/edges/pair_mean.h"
 #include "core/edges/post_rules.h"
 #include "core/edges/strip_growth.h"
-#include "core/segmentation/label_changes.h"
-#include "core/segmentation/pixel_labels.h"
 
 #include <algorithm>
 #include <cmath>
-#include <hwy/cache_control.h>
 
 namespace goalmouth {
 namespace {
@@ -26,6 +22,10 @@ constexpr std::size_t rows_ahead = 2;
 constexpr double share_of_brightness = 0.7;
 /// and a stretch that both its edges show this share.
 constexpr double share_of_mean_brightness = 0.9;
+
+/// No more strips are grown, the most distinct first: a frame with as many (a chequerboard, a fence) has
+/// those of its posts among them. Real pictures have some twenty.
+constexpr std::size_t most_strips = 128;
 
 /// Posts do not touch: what shares an edge with another strip is what lies behind that one.
 bool touch(const UprightStrip& a, const UprightStrip& b) {
@@ -49,40 +49,6 @@ bool known(const StripSeed& seed, const FrameEdges& frame, const JudgedStrip& ju
     const double x = 0.5 * (seed.left.at(y) + seed.right.at(y));
     return judged.refused.empty() && x > strip.left.at(y) && x < strip.right.at(y);
 }
-
-/// Appends a line's segments one by one.
-class LineWriter {
-  public:
-    LineWriter(Segments& out, Orientation orientation, int position) : out_(out) {
-        line_ = {orientation, position, static_cast<int>(out.segments.size()), 0};
-    }
-    /// From pixel `start` on the line is of that colour; `transition` as Segment has it.
-    void change(int start, Colour colour, float transition) {
-        if (line_.count > 0) {
-            Segment& last = out_.segments.back();
-            if (last.colour == colour) return;
-            if (start <= last.start) {
-                last.colour = colour;
-                return;
-            }
-            last.end = static_cast<std::int16_t>(start - 1);
-        }
-        // What a segments_t holds: hundredths of a pixel, no more than 127 of them.
-        const float nominal = static_cast<float>(start) - 0.5F;
-        const float offset = std::clamp(std::round(100.F * (transition - nominal)), -127.F, 127.F) / 100.F;
-        out_.segments.push_back({static_cast<std::int16_t>(start), 0, colour, nominal + offset});
-        ++line_.count;
-    }
-    void change(int start, Colour colour) { change(start, colour, static_cast<float>(start) - 0.5F); }
-    void end(int length) {
-        out_.segments.back().end = static_cast<std::int16_t>(length - 1);
-        out_.lines.push_back(line_);
-    }
-
-  private:
-    Segments& out_;
-    ScanLine line_;
-};
 
 }  // namespace
 
@@ -113,8 +79,7 @@ const Segments& EdgeSegmenter::segment(YuyvView image, const ScanLayout& layout,
     survey(image);
     find_edges(image);
     if (field_ && !ground_.empty()) find_posts(image, view);
-    write_rows(image);
-    write_columns(image);
+    writer_.write(image, {frame_.rows, columns_, ground_, field_, runs_}, segments_);
     return segments_;
 }
 
@@ -167,6 +132,7 @@ void EdgeSegmenter::find_posts(YuyvView image, const CameraOverGround* view) {
     const auto right = right_finder_.find(frame_, ChainSide::right, threshold_, straightness, darkest);
     for (const StripSeed& seed :
          seed_finder_.find(frame_, left, right, threshold_.chroma_weight, straightness, image.width)) {
+        if (strips_.size() == most_strips) break;
         if (seed.inside.y < darkest_mean) continue;
         if (std::any_of(strips_.begin(), strips_.end(),
                         [&](const JudgedStrip& s) { return known(seed, frame_, s, straightness); }))
@@ -204,127 +170,6 @@ void EdgeSegmenter::find_posts(YuyvView image, const CameraOverGround* view) {
     std::sort(runs_.begin(), runs_.end(), [](const GoalRun& a, const GoalRun& b) {
         return a.row != b.row ? a.row < b.row : a.left < b.left;
     });
-}
-
-void EdgeSegmenter::write_rows(YuyvView image) {
-    const auto first_pixel = [&](float x) {
-        return std::clamp(static_cast<int>(std::lround(x + 0.5F)), 1, image.width - 1);
-    };
-    changed_.resize(columns_.size() + label_margin);
-    auto run = runs_.begin();
-    for (std::size_t row = 0; row < frame_.rows.size(); ++row) {
-        const std::uint8_t* ground = ground_.row(row);
-        const std::size_t changes =
-            columns_.empty() ? 0 : find_changes(ground, ground + 1, columns_.size() - 1, changed_.data());
-        LineWriter line(segments_, Orientation::horizontal, frame_.rows[row]);
-        Colour colour = !columns_.empty() && ground[0] != 0 ? Colour::field : Colour::unclassified;
-        line.change(0, colour);
-        const auto write_run = [&] {
-            // What goes on beyond the picture has no edge at its border.
-            if (run->left < 0.5F) {
-                line.change(0, Colour::goal);
-            } else {
-                line.change(first_pixel(run->left), Colour::goal, run->left);
-            }
-            if (run->right < static_cast<float>(image.width) - 1.5F)
-                line.change(first_pixel(run->right), colour, run->right);
-            ++run;
-        };
-        const auto of_row = [&] { return run != runs_.end() && run->row == row; };
-        for (std::size_t k = 0; k < changes; ++k) {
-            const auto c = static_cast<std::size_t>(changed_[k]);
-            const int start = (columns_[c] + columns_[c + 1] + 1) / 2;
-            while (of_row() && first_pixel(run->right) <= start) write_run();
-            colour = colour == Colour::field ? Colour::unclassified : Colour::field;
-            if (!of_row() || first_pixel(run->left) > start) line.change(start, colour);
-        }
-        while (of_row()) write_run();
-        line.end(image.width);
-    }
-}
-
-/// Where the field begins in each column whose border lies between two rows: the first pixel that is the
-/// field's, by halves. All columns take their halves together, so that the memory of the next one is on its
-/// way.
-void EdgeSegmenter::locate_border(YuyvView image) {
-    const auto ask_for = [&](const BorderPlace& p) {
-        hwy::Prefetch(image.row((p.upper + p.lower) / 2) + 4 * (columns_[p.column] / 2));
-    };
-    const int last_pair = (image.width - 1) / 2;
-    for (const BorderPlace& place : border_) ask_for(place);
-    for (bool more = true; more;) {
-        more = false;
-        for (BorderPlace& place : border_) {
-            if (place.lower - place.upper <= 1) continue;
-            const int middle = (place.upper + place.lower) / 2;
-            const int pair = columns_[place.column] / 2;
-            const bool field =
-                field_->contains(mean_of_pairs(image.row(middle), pair, std::min(pair + 1, last_pair)));
-            (field ? place.lower : place.upper) = middle;
-            ask_for(place);
-            more = true;
-        }
-    }
-}
-
-void EdgeSegmenter::write_columns(YuyvView image) {
-    const std::size_t columns = columns_.size();
-    const std::size_t rows = frame_.rows.size();
-    constexpr auto goal = static_cast<std::uint8_t>(Colour::goal);
-    static_assert(static_cast<int>(Colour::field) == 1 && static_cast<int>(Colour::unclassified) == 0);
-    labels_.assign(ground_.row(0), ground_.row(rows) + label_margin);
-    for (const GoalRun& run : runs_) {
-        const auto begin = std::lower_bound(columns_.begin(), columns_.end(), run.left,
-                                            [](int x, float left) { return static_cast<float>(x) < left; });
-        for (auto x = begin; x != columns_.end() && static_cast<float>(*x) < run.right; ++x)
-            labels_[run.row * columns + static_cast<std::size_t>(x - columns_.begin())] = goal;
-    }
-    // Row by row, as memory lies, then by column.
-    changes_.clear();
-    first_change_.assign(columns + 1, 0);
-    for (std::size_t row = 1; row < rows; ++row) {
-        const std::uint8_t* here = labels_.data() + row * columns;
-        const std::size_t count = find_changes(here - columns, here, columns, changed_.data());
-        for (std::size_t k = 0; k < count; ++k) {
-            const auto column = static_cast<std::size_t>(changed_[k]);
-            changes_.push_back({row, column});
-            ++first_change_[column + 1];
-        }
-    }
-    for (std::size_t c = 0; c < columns; ++c) first_change_[c + 1] += first_change_[c];
-    sorted_.resize(changes_.size());
-    for (const ColumnChange& change : changes_) sorted_[first_change_[change.column]++] = change;
-
-    border_.clear();
-    const auto label_at = [&](std::size_t row, std::size_t column) {
-        return static_cast<Colour>(labels_[row * columns + column]);
-    };
-    // To the pixel where it matters: where the field begins for the first time, but not behind a post.
-    for (std::size_t i = 0; i < sorted_.size(); ++i) {
-        const auto& [row, column] = sorted_[i];
-        if (label_at(row, column) != Colour::field || label_at(0, column) == Colour::field) continue;
-        if (!border_.empty() && border_.back().column == column) continue;
-        border_.push_back({column, i, frame_.rows[row - 1], frame_.rows[row]});
-    }
-    std::erase_if(border_, [&](const BorderPlace& place) {
-        const ColumnChange& change = sorted_[place.change];
-        return label_at(change.row - 1, change.column) == Colour::goal;
-    });
-    locate_border(image);
-
-    auto place = border_.begin();
-    auto change = sorted_.begin();
-    for (std::size_t c = 0; c < columns; ++c) {
-        LineWriter line(segments_, Orientation::vertical, columns_[c]);
-        line.change(0, rows > 0 ? label_at(0, c) : Colour::unclassified);
-        for (; change != sorted_.end() && change->column == c; ++change) {
-            int start = (frame_.rows[change->row - 1] + frame_.rows[change->row] + 1) / 2;
-            if (place != border_.end() && place->change == static_cast<std::size_t>(change - sorted_.begin()))
-                start = (place++)->lower;
-            line.change(start, label_at(change->row, c));
-        }
-        line.end(image.height);
-    }
 }
 
 }  // namespace goalmouth

@@ -9,13 +9,13 @@
 #include "core/edges/ground.h"
 #include "core/edges/row_edges.h"
 #include "core/edges/row_stretch.h"
+#include "core/edges/segment_writer.h"
 #include "core/edges/strip_seeds.h"
 #include "core/edges/upright_strip.h"
 #include "core/imaging/yuyv.h"
 #include "core/segmentation/scan_lines.h"
 #include "core/segmentation/segments.h"
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,9 +61,6 @@ class EdgeSegmenter {
     void survey(YuyvView image);
     void find_edges(YuyvView image);
     void find_posts(YuyvView image, const CameraOverGround* view);
-    void write_rows(YuyvView image);
-    void write_columns(YuyvView image);
-    void locate_border(YuyvView image);
 
     EdgeSegmentationParameters parameters_;
     FieldColourFinder field_finder_;
@@ -81,29 +78,8 @@ class EdgeSegmenter {
     FrameEdges frame_;
     std::vector<JudgedStrip> strips_;
 
-    /// Goal runs of all rows, row by row.
-    struct GoalRun {
-        std::size_t row;
-        float left, right;  // px
-    };
-    std::vector<GoalRun> runs_;
-
-    /// A change down a column, before the row of that number.
-    struct ColumnChange {
-        std::size_t row;
-        std::size_t column;
-    };
-    std::vector<std::uint8_t> labels_;  // by row and column
-    std::vector<std::int32_t> changed_;
-    std::vector<ColumnChange> changes_, sorted_;
-    /// Of the changes in sorted_ that where the field begins in a column.
-    struct BorderPlace {
-        std::size_t column;
-        std::size_t change;
-        int upper, lower;  // px, rows above it and on it, closer and closer
-    };
-    std::vector<BorderPlace> border_;
-    std::vector<std::size_t> first_change_;  // of each column in sorted_; one more at the end
+    std::vector<GoalRun> runs_;  // by row, from left to right
+    SegmentWriter writer_;
     Segments segments_;
 };
 
