@@ -45,9 +45,8 @@ std::span<const float> ChromaRow::squared_steps(int window, float chroma_weight)
         return steps;
     }
     without(0, w);
-    box_sums(y_.data(), size() + 1 - w, w, sum_y_.data());
-    box_sums(cb_.data(), size() + 1 - w, w, sum_cb_.data());
-    box_sums(cr_.data(), size() + 1 - w, w, sum_cr_.data());
+    box_sums({y_.data(), cb_.data(), cr_.data()}, size() + 1 - w, w,
+             {sum_y_.data(), sum_cb_.data(), sum_cr_.data()});
     square_steps({sum_y_.data(), sum_cb_.data(), sum_cr_.data()}, size() + 1 - 2 * w, w, chroma_weight,
                  steps_.data() + widest + w);
     // What whole vectors have written too much:

@@ -10,6 +10,9 @@ namespace {
 constexpr std::size_t points_ahead = 12;
 constexpr std::size_t points_of_a_direction = 4;
 
+/// So few are counted more quickly than halved.
+constexpr std::size_t few_places = 24;
+
 bool inside_is_field(const RowEdge& edge, ChainSide side) {
     return side == ChainSide::left ? edge.right_is_field : edge.left_is_field;
 }
@@ -66,8 +69,13 @@ const RowEdge* ChainFinder::next_edge(std::span<const RowEdge> edges, const Trac
                                       double tolerance) const {
     const RowEdge* best = nullptr;
     double least = 0.0;
-    const auto begin = static_cast<std::size_t>(
-        std::lower_bound(places_.begin(), places_.end(), x - tolerance) - places_.begin());
+    std::size_t begin = 0;
+    if (places_.size() <= few_places) {
+        for (const double each : places_) begin += each < x - tolerance ? 1 : 0;
+    } else {
+        begin = static_cast<std::size_t>(std::lower_bound(places_.begin(), places_.end(), x - tolerance) -
+                                         places_.begin());
+    }
     for (std::size_t i = begin; i < edges.size() && places_[i] <= x + tolerance; ++i) {
         const RowEdge* e = &edges[i];
         if (claimed_[i] || inside_is_field(*e, side_)) continue;

@@ -11,7 +11,7 @@ namespace goalmouth {
 namespace {
 
 /// The survey looks at about so many scan-lines, evenly spread, and there at so many pairs.
-constexpr std::size_t survey_rows = 24;
+constexpr std::size_t survey_rows = 16;
 constexpr int survey_pairs = 48;
 
 /// Memory is asked for so many rows of the layout before their turn.

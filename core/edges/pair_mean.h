@@ -22,13 +22,21 @@ inline Appearance mean_of_pairs(const std::uint8_t* row, int first, int last) {
         const int end = std::min(last + 1, i + at_once);
         std::uint64_t lumas = 0;    // Y0, Y1 of even pairs, Y0, Y1 of odd ones
         std::uint64_t colours = 0;  // Cb, Cr likewise
-        for (; i < end; i += 2) {
+        const auto add = [&](std::uint64_t pair_or_two) {
+            lumas += pair_or_two & every_other_byte;
+            colours += pair_or_two >> 8 & every_other_byte;
+        };
+        for (; i + 2 <= end; i += 2) {
             std::uint64_t two = 0;
-            std::memcpy(&two, row + 4 * i, i + 1 < end ? 8 : 4);
-            lumas += two & every_other_byte;
-            colours += two >> 8 & every_other_byte;
+            std::memcpy(&two, row + 4 * i, sizeof two);
+            add(two);
         }
-        i = end;
+        if (i < end) {
+            std::uint32_t one = 0;
+            std::memcpy(&one, row + 4 * i, sizeof one);
+            add(one);
+            ++i;
+        }
         luma += part(lumas, 0) + part(lumas, 1) + part(lumas, 2) + part(lumas, 3);
         cb += part(colours, 0) + part(colours, 2);
         cr += part(colours, 1) + part(colours, 3);

@@ -63,13 +63,22 @@ void SplitRow(const std::uint8_t* row, std::size_t pairs, Planes<std::int16_t> p
     }
 }
 
-void BoxSums(const std::int16_t* values, std::size_t count, std::size_t window, std::int16_t* sums) {
+void BoxSums(Planes<const std::int16_t> values, std::size_t count, std::size_t window,
+             Planes<std::int16_t> sums) {
     // Longer vectors would lie across two cache lines each time.
     const hn::CappedTag<std::int16_t, 16> d;
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-        auto sum = hn::LoadU(d, values + i);
-        for (std::size_t k = 1; k < window; ++k) sum = hn::Add(sum, hn::LoadU(d, values + i + k));
-        hn::StoreU(sum, d, sums + i);
+        auto y = hn::LoadU(d, values.y + i);
+        auto cb = hn::LoadU(d, values.cb + i);
+        auto cr = hn::LoadU(d, values.cr + i);
+        for (std::size_t k = i + 1; k < i + window; ++k) {
+            y = hn::Add(y, hn::LoadU(d, values.y + k));
+            cb = hn::Add(cb, hn::LoadU(d, values.cb + k));
+            cr = hn::Add(cr, hn::LoadU(d, values.cr + k));
+        }
+        hn::StoreU(y, d, sums.y + i);
+        hn::StoreU(cb, d, sums.cb + i);
+        hn::StoreU(cr, d, sums.cr + i);
     }
 }
 
@@ -204,7 +213,8 @@ void split_row(const std::uint8_t* row, std::size_t pairs, Planes<std::int16_t> 
                const std::uint8_t* ahead) {
     HWY_DYNAMIC_DISPATCH(SplitRow)(row, pairs, planes, ahead);
 }
-void box_sums(const std::int16_t* values, std::size_t count, std::size_t window, std::int16_t* sums) {
+void box_sums(Planes<const std::int16_t> values, std::size_t count, std::size_t window,
+              Planes<std::int16_t> sums) {
     HWY_DYNAMIC_DISPATCH(BoxSums)(values, count, window, sums);
 }
 void square_steps(Planes<const std::int16_t> sums, std::size_t count, std::size_t window, float chroma_weight,

@@ -15,8 +15,9 @@ namespace goalmouth {
 void split_row(const std::uint8_t* row, std::size_t pairs, Planes<std::int16_t> planes,
                const std::uint8_t* ahead);
 
-/// sums[i] = values[i] + … + values[i + window − 1]; no sum may exceed 16 bits.
-void box_sums(const std::int16_t* values, std::size_t count, std::size_t window, std::int16_t* sums);
+/// In each plane sums[i] = values[i] + … + values[i + window − 1]; no sum may exceed 16 bits.
+void box_sums(Planes<const std::int16_t> values, std::size_t count, std::size_t window,
+              Planes<std::int16_t> sums);
 
 /// Squared size of (sums[i + window] − sums[i]), in grey levels² of a pair: weighted as ChromaRow says.
 void square_steps(Planes<const std::int16_t> sums, std::size_t count, std::size_t window, float chroma_weight,

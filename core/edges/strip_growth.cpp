@@ -41,6 +41,7 @@ class Growth {
     UprightStrip grow() {
         surface_ = seed_.inside;
         std::vector<StripRow>& rows = strip_.rows;
+        rows.reserve(frame_.rows.size());
         for (int row = seed_.first_row; row <= seed_.last_row; ++row) look(row, row + 1);
         follow();
         go_on(seed_.last_row + 1, static_cast<int>(frame_.rows.size()), 1);
