@@ -38,8 +38,7 @@ TEST_P(ShippedGraph, FindsPostsAndItself) {
     EXPECT_THAT(test::rings_of(graph.pids()), testing::IsEmpty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Detectors, ShippedGraph,
-                         testing::Values("refined", "ransac", "histogram", "edges_refined"),
+INSTANTIATE_TEST_SUITE_P(Detectors, ShippedGraph, testing::Values("refined", "ransac", "histogram"),
                          [](const auto& graph) { return std::string(graph.param); });
 
 TEST(RunningGraphTest, EveryPostsMessageIsRefinedOnce) {

@@ -106,17 +106,6 @@ TEST_F(Detect, RefinesWhereTheGraphDoesUnlessToldNotTo) {
     EXPECT_GT(plain["posts"][0]["sigma_m"].get<double>(), post["sigma_m"].get<double>());
 }
 
-TEST_F(Detect, RefinesPostsFoundByEdges) {
-    const std::string graph = GOALMOUTH_SOURCE_DIR "/config/graphs/edges_refined.yaml";
-    ASSERT_EQ(run({path("lifelike.yuyv"), "--size", "320x240", "--graph", graph}), 0);
-    const json found = report()[0];
-    ASSERT_EQ(found["posts"].size(), 1U);
-    const json& post = found["posts"][0];
-    EXPECT_TRUE(post["refined"].get<bool>()) << post["refinement"]["reason"];
-    EXPECT_NEAR(post["left"][1][0].get<double>(), 149.5, 0.3);
-    EXPECT_NEAR(post["right"][1][0].get<double>(), 165.5, 0.3);
-}
-
 TEST_F(Detect, OfAPictureDoesNotDependOnThoseBeforeWhenRefining) {
     const std::string graph = refining();
     ASSERT_EQ(run({path("lifelike.yuyv"), "--size", "320x240", "--graph", graph}), 0);
