@@ -19,11 +19,14 @@ inline float squared_size(const Appearance& d, float chroma_weight) {
     return d.y * d.y + chroma_weight * (d.cb * d.cb + d.cr * d.cr);
 }
 
+/// What counts of the square of a difference that light and shade make.
+inline constexpr float shade_share = 0.25F;
+
 /// How unlike `surface` something looks, squared. What light and shade do to a surface, more or less of its
 /// own colour, counts `shade` of its square: a post is a cylinder with a bright and a dark side, and shadows
 /// fall on it.
 inline float squared_unlikeness(const Appearance& a, const Appearance& surface, float chroma_weight,
-                                float shade = 0.25F) {
+                                float shade = shade_share) {
     const Appearance d = a - surface;
     const float own = surface.dot(surface);
     const Appearance along = surface * (own > 0.F ? d.dot(surface) / own : 0.F);

@@ -1,6 +1,7 @@
 #include "core/edges/chroma_row.h"
 
 #include "core/edges/frame_scale.h"
+#include "core/edges/pair_mean.h"
 #include "core/edges/row_vectors.h"
 
 #include <algorithm>
@@ -18,43 +19,38 @@ void make_room(std::vector<T>& array, std::size_t count) {
 
 }  // namespace
 
-void ChromaRow::load(YuyvView image, int y) {
+void ChromaRow::load(YuyvView image, int y, int ahead) {
+    row_ = image.row(y);
     pairs_ = (image.width + 1) / 2;
     for (auto* array : {&y_, &cb_, &cr_, &sum_y_, &sum_cb_, &sum_cr_})
         make_room(*array, size() + widest + row_margin);
-    split_row(image.row(y), size(), {y_.data(), cb_.data(), cr_.data()});
+    split_row(row_, size(), {y_.data(), cb_.data(), cr_.data()}, image.row(ahead));
 }
 
 Appearance ChromaRow::mean(int first, int last) const {
-    first = std::max(first, 0);
-    last = std::min(last, pairs_ - 1);
-    if (first > last) return {};
-    int luma = 0;
-    int cb = 0;
-    int cr = 0;
-    for (auto i = static_cast<std::size_t>(first); i <= static_cast<std::size_t>(last); ++i) {
-        luma += y_[i];
-        cb += cb_[i];
-        cr += cr_[i];
-    }
-    const float share = 1.F / static_cast<float>(last - first + 1);
-    return Appearance{0.5F * static_cast<float>(luma), static_cast<float>(cb), static_cast<float>(cr)} *
-           share;
+    return mean_of_pairs(row_, std::max(first, 0), std::min(last, pairs_ - 1));
 }
 
 std::span<const float> ChromaRow::squared_steps(int window, float chroma_weight) {
     const auto w = static_cast<std::size_t>(window);
     assert(window >= 1 && w <= widest);
-    steps_.assign(widest + size() + widest + row_margin, 0.F);
+    make_room(steps_, widest + size() + widest + row_margin);
     const std::span<const float> steps(steps_.data() + widest, size());
-    if (size() < 2 * w) return steps;
-    box_sums(y_.data(), size() + 1 - w, w, sum_y_.data());
-    box_sums(cb_.data(), size() + 1 - w, w, sum_cb_.data());
-    box_sums(cr_.data(), size() + 1 - w, w, sum_cr_.data());
+    const auto without = [&](std::size_t from, std::size_t to) {
+        std::fill(steps_.begin() + static_cast<std::ptrdiff_t>(widest + from),
+                  steps_.begin() + static_cast<std::ptrdiff_t>(widest + to), 0.F);
+    };
+    if (size() < 2 * w) {
+        without(0, size() + widest + row_margin);
+        return steps;
+    }
+    without(0, w);
+    box_sums({y_.data(), cb_.data(), cr_.data()}, size() + 1 - w, w,
+             {sum_y_.data(), sum_cb_.data(), sum_cr_.data()});
     square_steps({sum_y_.data(), sum_cb_.data(), sum_cr_.data()}, size() + 1 - 2 * w, w, chroma_weight,
                  steps_.data() + widest + w);
     // What whole vectors have written too much:
-    std::fill(steps_.begin() + static_cast<std::ptrdiff_t>(widest + size() + 1 - w), steps_.end(), 0.F);
+    without(size() + 1 - w, size() + widest + row_margin);
     return steps;
 }
 
@@ -64,34 +60,6 @@ std::span<const std::int32_t> ChromaRow::peaks(float least, int reach) {
     const std::size_t count =
         find_peaks(steps_.data() + widest, size(), least, static_cast<std::size_t>(reach), peaks_.data());
     return {peaks_.data(), count};
-}
-
-std::span<const std::uint8_t> ChromaRow::is_field(const FieldColour& field) {
-    make_room(is_field_, size() + row_margin);
-    // The last pair's right neighbour is itself.
-    y_[size()] = y_[size() - 1];
-    cb_[size()] = cb_[size() - 1];
-    cr_[size()] = cr_[size() - 1];
-    find_field({y_.data(), cb_.data(), cr_.data()}, size(), field, is_field_.data());
-    return {is_field_.data(), size()};
-}
-
-Appearance mean_of_pairs(YuyvView image, int y, int first, int last) {
-    first = std::max(first, 0);
-    last = std::min(last, (image.width + 1) / 2 - 1);
-    if (first > last) return {};
-    const std::uint8_t* row = image.row(y);
-    int luma = 0;
-    int cb = 0;
-    int cr = 0;
-    for (int i = first; i <= last; ++i) {
-        luma += row[4 * i] + row[4 * i + 2];
-        cb += row[4 * i + 1] - 128;
-        cr += row[4 * i + 3] - 128;
-    }
-    const float share = 1.F / static_cast<float>(last - first + 1);
-    return Appearance{0.5F * static_cast<float>(luma), static_cast<float>(cb), static_cast<float>(cr)} *
-           share;
 }
 
 }  // namespace goalmouth

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/edges/appearance.h"
-#include "core/edges/field_colour.h"
 #include "core/imaging/yuyv.h"
 
 #include <cstddef>
@@ -16,15 +15,18 @@ namespace goalmouth {
 /// on each, bit by bit.
 class ChromaRow {
   public:
-    /// Reads row y.
-    void load(YuyvView image, int y);
+    /// Reads row y. Asks for the row `ahead` of the picture meanwhile: rows of a layout lie too far apart for
+    /// the hardware to fetch the next one by itself.
+    void load(YuyvView image, int y, int ahead);
+    void load(YuyvView image, int y) { load(image, y, y); }
 
     int pairs() const { return pairs_; }
     Appearance at(int pair) const {
         const auto i = static_cast<std::size_t>(pair);
         return {0.5F * static_cast<float>(y_[i]), static_cast<float>(cb_[i]), static_cast<float>(cr_[i])};
     }
-    /// Mean of the pairs first … last; what of them lies beyond the row is left out. Nothing left: zero.
+    /// Mean of the pairs first … last, which asks the frame; what of them lies beyond the row is left out.
+    /// Nothing left: zero.
     Appearance mean(int first, int last) const;
 
     /// The row's derivative by two boxes: for each pair the mean of `window` pairs from it on less that of as
@@ -36,13 +38,10 @@ class ChromaRow {
     /// equal one, within `reach` ≤ widest_window pairs; ascending. Valid until the next call.
     std::span<const std::int32_t> peaks(float least, int reach);
 
-    /// For each pair whether it and its right neighbour have, on the mean, the field's colour: 1 or 0. Valid
-    /// until the next call.
-    std::span<const std::uint8_t> is_field(const FieldColour& field);
-
   private:
     std::size_t size() const { return static_cast<std::size_t>(pairs_); }
 
+    const std::uint8_t* row_ = nullptr;
     int pairs_ = 0;
     // Each with a margin behind it, since whole vectors are read and written:
     std::vector<std::int16_t> y_;                        // sum of the two lumas
@@ -50,10 +49,6 @@ class ChromaRow {
     std::vector<std::int16_t> sum_y_, sum_cb_, sum_cr_;  // over a box from each pair on
     std::vector<float> steps_;                           // behind as many zeros as `reach` may be
     std::vector<std::int32_t> peaks_;
-    std::vector<std::uint8_t> is_field_;
 };
-
-/// Mean of the pairs first … last in row y of a frame, as ChromaRow::mean() has it.
-Appearance mean_of_pairs(YuyvView image, int y, int first, int last);
 
 }  // namespace goalmouth

@@ -10,6 +10,9 @@ namespace {
 constexpr std::size_t points_ahead = 12;
 constexpr std::size_t points_of_a_direction = 4;
 
+/// So few are counted more quickly than halved.
+constexpr std::size_t few_places = 24;
+
 bool inside_is_field(const RowEdge& edge, ChainSide side) {
     return side == ChainSide::left ? edge.right_is_field : edge.left_is_field;
 }
@@ -25,31 +28,39 @@ std::span<const EdgeChain> ChainFinder::find(const FrameEdges& frame, ChainSide 
     straightness_ = straightness;
     darkest_ = darkest;
     count_ = 0;
+    links_.clear();
     tracks_.clear();
     const double largest_slope = std::tan(parameters_.largest_lean);
     for (std::size_t row = 0; row < frame.rows.size(); ++row) {
         const auto edges = frame.of(row);
         claimed_.assign(edges.size(), 0);
+        places_.clear();
+        for (const RowEdge& edge : edges) places_.push_back(static_cast<double>(edge.x));
         std::size_t kept = 0;
-        for (Track track : tracks_) {
+        for (Track& track : tracks_) {
             const double step = frame.rows[row] - frame.y(track.last_row);
-            const std::size_t points = chains_[track.chain].points.size();
+            const bool has_direction = track.points >= points_of_a_direction;
             double tolerance = straightness_;
-            if (points < points_of_a_direction)
-                tolerance += std::max(0.0, largest_slope - std::abs(track.ahead.b)) * step;
+            if (!has_direction) tolerance += std::max(0.0, largest_slope - std::abs(track.ahead.b)) * step;
             const RowEdge* next = next_edge(edges, track, track.ahead.at(frame.rows[row]), tolerance);
+            bool goes_on = false;
             if (next != nullptr) {
                 extend(track, row, static_cast<std::size_t>(next - edges.data()));
-                if (points >= points_of_a_direction && std::abs(track.ahead.b) > largest_slope) continue;
-            } else if (points < points_of_a_direction ||
-                       static_cast<int>(row) - track.last_row > parameters_.largest_gap) {
+                goes_on = !has_direction || std::abs(track.ahead.b) <= largest_slope;
+            } else {
+                goes_on = has_direction && static_cast<int>(row) - track.last_row <= parameters_.largest_gap;
+            }
+            if (!goes_on) {
+                end(track);
                 continue;
             }
-            tracks_[kept++] = track;
+            if (&track != &tracks_[kept]) tracks_[kept] = track;
+            ++kept;
         }
         tracks_.resize(kept);
         begin_chains(row);
     }
+    for (const Track& track : tracks_) end(track);
     return {chains_.data(), straighten()};
 }
 
@@ -58,48 +69,59 @@ const RowEdge* ChainFinder::next_edge(std::span<const RowEdge> edges, const Trac
                                       double tolerance) const {
     const RowEdge* best = nullptr;
     double least = 0.0;
-    const auto begin =
-        std::lower_bound(edges.begin(), edges.end(), x - tolerance,
-                         [](const RowEdge& e, double value) { return static_cast<double>(e.x) < value; });
-    for (auto e = begin; e != edges.end() && static_cast<double>(e->x) <= x + tolerance; ++e) {
-        if (claimed_[static_cast<std::size_t>(e - edges.begin())] || inside_is_field(*e, side_)) continue;
+    std::size_t begin = 0;
+    if (places_.size() <= few_places) {
+        for (const double each : places_) begin += each < x - tolerance ? 1 : 0;
+    } else {
+        begin = static_cast<std::size_t>(std::lower_bound(places_.begin(), places_.end(), x - tolerance) -
+                                         places_.begin());
+    }
+    for (std::size_t i = begin; i < edges.size() && places_[i] <= x + tolerance; ++i) {
+        const RowEdge* e = &edges[i];
+        if (claimed_[i] || inside_is_field(*e, side_)) continue;
         const double bound = parameters_.sameness * static_cast<double>(e->strength);
-        const double unlike =
-            static_cast<double>(squared_unlikeness(inside_of(*e, side_), track.inside, chroma_weight_)) /
-            (bound * bound);
-        if (unlike > 1.0) continue;
-        const double off = (static_cast<double>(e->x) - x) / tolerance;
-        const double cost = unlike + off * off;
+        const auto squared =
+            static_cast<double>(squared_unlikeness(inside_of(*e, side_), track.inside, chroma_weight_));
+        if (squared > bound * bound) continue;
+        const double off = (places_[i] - x) / tolerance;
+        const double cost = squared / (bound * bound) + off * off;
         if (best != nullptr && cost >= least) continue;
-        best = &*e;
+        best = e;
         least = cost;
     }
     return best;
 }
 
-void ChainFinder::extend(Track& track, std::size_t row, std::size_t edge) {
-    claimed_[edge] = 1;
-    EdgeChain& chain = chains_[track.chain];
-    chain.points.push_back({static_cast<int>(row), frame_->first[row] + edge});
-    track.last_row = static_cast<int>(row);
-    const float share = std::max(1.F / static_cast<float>(chain.points.size()), 0.1F);
-    track.inside = track.inside * (1.F - share) + inside_of(frame_->of(row)[edge], side_) * share;
-    track.ahead = lead_on(chain);
+double ChainFinder::x_of(const Link& link) const {
+    return static_cast<double>(frame_->edges[link.point.edge].x);
 }
 
-UprightLine ChainFinder::lead_on(const EdgeChain& chain) const {
-    const auto& points = chain.points;
-    UprightFit fit;
-    for (std::size_t i = points.size() - std::min(points.size(), points_ahead); i < points.size(); ++i)
-        fit.add(static_cast<double>(frame_->edges[points[i].edge].x), frame_->y(points[i].row));
-    UprightLine line = fit.line();
-    if (points.size() < points_of_a_direction) {
-        // Half of what few points say of the direction, from the latest on.
-        line.b *= 0.5;
-        line.a =
-            static_cast<double>(frame_->edges[points.back().edge].x) - line.b * frame_->y(points.back().row);
+void ChainFinder::extend(Track& track, std::size_t row, std::size_t edge) {
+    claimed_[edge] = 1;
+    links_[track.last].after = links_.size();
+    links_.push_back({{static_cast<int>(row), frame_->first[row] + edge}, track.last, 0});
+    track.last = links_.size() - 1;
+    track.last_row = static_cast<int>(row);
+    ++track.points;
+    const float share = std::max(1.F / static_cast<float>(track.points), 0.1F);
+    track.inside = track.inside * (1.F - share) + inside_of(frame_->of(row)[edge], side_) * share;
+    lead_on(track);
+}
+
+void ChainFinder::lead_on(Track& track) {
+    const Link& last = links_[track.last];
+    track.latest.add(x_of(last), frame_->y(last.point.row));
+    if (track.points > points_ahead) {
+        const Link& oldest = links_[track.oldest];
+        track.latest.take_away(x_of(oldest), frame_->y(oldest.point.row));
+        track.oldest = oldest.after;
     }
-    return line;
+    track.ahead = track.latest.line();
+    if (track.points < points_of_a_direction) {
+        // Half of what few points say of the direction, from the latest on.
+        track.ahead.b *= 0.5;
+        track.ahead.a = x_of(last) - track.ahead.b * frame_->y(last.point.row);
+    }
 }
 
 /// One chain from each edge that continues none.
@@ -108,17 +130,39 @@ void ChainFinder::begin_chains(std::size_t row) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const Appearance& inside = inside_of(edges[i], side_);
         if (claimed_[i] || inside_is_field(edges[i], side_) || inside.y < darkest_) continue;
-        if (count_ == chains_.size()) chains_.emplace_back();
-        chains_[count_].points.assign(1, {static_cast<int>(row), frame_->first[row] + i});
-        tracks_.push_back({count_, {static_cast<double>(edges[i].x), 0.0}, static_cast<int>(row), inside});
-        ++count_;
+        Track track;
+        track.last = track.oldest = links_.size();
+        track.points = 1;
+        track.latest.add(static_cast<double>(edges[i].x), frame_->rows[row]);
+        track.ahead = {static_cast<double>(edges[i].x), 0.0};
+        track.last_row = static_cast<int>(row);
+        track.inside = inside;
+        tracks_.push_back(track);
+        links_.push_back({{static_cast<int>(row), frame_->first[row] + i}, 0, 0});
     }
 }
 
-/// A line through each chain, and off with the points beside it. Returns how many chains are left.
+/// Most end after a point or two: only the others become chains.
+void ChainFinder::end(const Track& track) {
+    if (track.points < static_cast<std::size_t>(parameters_.least_rows)) return;
+    if (count_ == chains_.size()) chains_.emplace_back();
+    EdgeChain& chain = chains_[count_++];
+    chain.points.resize(track.points);
+    std::size_t link = track.last;
+    for (auto point = chain.points.rbegin(); point != chain.points.rend(); ++point) {
+        *point = links_[link].point;
+        link = links_[link].before;
+    }
+}
+
+/// In the order in which they begin; a line through each chain, and off with the points beside it. Returns
+/// how many chains are left.
 std::size_t ChainFinder::straighten() {
     const auto least = static_cast<std::size_t>(parameters_.least_rows);
     const auto x = [&](const ChainPoint& p) { return static_cast<double>(frame_->edges[p.edge].x); };
+    std::sort(
+        chains_.begin(), chains_.begin() + static_cast<std::ptrdiff_t>(count_),
+        [](const EdgeChain& a, const EdgeChain& b) { return a.points.front().edge < b.points.front().edge; });
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count_; ++i) {
         EdgeChain& chain = chains_[i];

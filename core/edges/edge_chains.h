@@ -46,9 +46,17 @@ class ChainFinder {
                                     double straightness, float darkest);
 
   private:
+    /// A point of a chain in the making, and its neighbours in it.
+    struct Link {
+        ChainPoint point;
+        std::size_t before = 0, after = 0;
+    };
     struct Track {
-        std::size_t chain = 0;
-        UprightLine ahead;  // of the latest points
+        std::size_t last = 0;    // number of its last link
+        std::size_t oldest = 0;  // and of the oldest one that leads on
+        std::size_t points = 0;
+        UprightFit latest;  // points
+        UprightLine ahead;  // where they lead
         int last_row = 0;
         Appearance inside;  // mean, the latest counting more
     };
@@ -56,8 +64,10 @@ class ChainFinder {
                              double tolerance) const;
     void begin_chains(std::size_t row);
     void extend(Track& track, std::size_t row, std::size_t edge);
-    UprightLine lead_on(const EdgeChain& chain) const;
+    void end(const Track& track);
+    void lead_on(Track& track);
     std::size_t straighten();
+    double x_of(const Link& link) const;
 
     StripParameters parameters_;
     const FrameEdges* frame_ = nullptr;
@@ -65,10 +75,12 @@ class ChainFinder {
     float chroma_weight_ = 0.F;
     double straightness_ = 0.0;
     float darkest_ = 0.F;
+    std::vector<Link> links_;
     std::vector<EdgeChain> chains_;  // the first count_ are in use
     std::size_t count_ = 0;
     std::vector<Track> tracks_;
-    std::vector<char> claimed_;  // edges of the row in work
+    std::vector<double> places_;  // x of the edges of the row in work
+    std::vector<char> claimed_;   // and which continue a chain
 };
 
 }  // namespace goalmouth

@@ -3,19 +3,19 @@
 #include "core/edges/frame_scale.h"
 #include "core/edges/post_rules.h"
 #include "core/edges/strip_growth.h"
-#include "core/segmentation/label_changes.h"
-#include "core/segmentation/pixel_labels.h"
 
 #include <algorithm>
 #include <cmath>
-#include <hwy/cache_control.h>
 
 namespace goalmouth {
 namespace {
 
 /// The survey looks at about so many scan-lines, evenly spread, and there at so many pairs.
-constexpr std::size_t survey_rows = 24;
+constexpr std::size_t survey_rows = 16;
 constexpr int survey_pairs = 48;
+
+/// Memory is asked for so many rows of the layout before their turn.
+constexpr std::size_t rows_ahead = 2;
 
 /// A chain begins with a surface at least this share as bright as a post has to be: one part of it may lie in
 /// shade.
@@ -23,11 +23,9 @@ constexpr double share_of_brightness = 0.7;
 /// and a stretch that both its edges show this share.
 constexpr double share_of_mean_brightness = 0.9;
 
-/// Rows of the layout lie too far apart for the hardware to fetch the next one by itself.
-void ask_for_row(YuyvView image, int y) {
-    constexpr int cache_line = 64;  // bytes
-    for (int i = 0; i < yuyv_row_bytes(image.width); i += cache_line) hwy::Prefetch(image.row(y) + i);
-}
+/// No more strips are grown, the most distinct first: a frame with as many (a chequerboard, a fence) has
+/// those of its posts among them. Real pictures have some twenty.
+constexpr std::size_t most_strips = 128;
 
 /// Posts do not touch: what shares an edge with another strip is what lies behind that one.
 bool touch(const UprightStrip& a, const UprightStrip& b) {
@@ -52,44 +50,13 @@ bool known(const StripSeed& seed, const FrameEdges& frame, const JudgedStrip& ju
     return judged.refused.empty() && x > strip.left.at(y) && x < strip.right.at(y);
 }
 
-/// Appends a line's segments one by one.
-class LineWriter {
-  public:
-    LineWriter(Segments& out, Orientation orientation, int position) : out_(out) {
-        line_ = {orientation, position, static_cast<int>(out.segments.size()), 0};
-    }
-    /// From pixel `start` on the line is of that colour; `transition` as Segment has it.
-    void change(int start, Colour colour, float transition) {
-        if (line_.count > 0) {
-            Segment& last = out_.segments.back();
-            if (last.colour == colour) return;
-            if (start <= last.start) {
-                last.colour = colour;
-                return;
-            }
-            last.end = static_cast<std::int16_t>(start - 1);
-        }
-        // What a segments_t holds: hundredths of a pixel, no more than 127 of them.
-        const float nominal = static_cast<float>(start) - 0.5F;
-        const float offset = std::clamp(std::round(100.F * (transition - nominal)), -127.F, 127.F) / 100.F;
-        out_.segments.push_back({static_cast<std::int16_t>(start), 0, colour, nominal + offset});
-        ++line_.count;
-    }
-    void change(int start, Colour colour) { change(start, colour, static_cast<float>(start) - 0.5F); }
-    void end(int length) {
-        out_.segments.back().end = static_cast<std::int16_t>(length - 1);
-        out_.lines.push_back(line_);
-    }
-
-  private:
-    Segments& out_;
-    ScanLine line_;
-};
-
 }  // namespace
 
 EdgeSegmenter::EdgeSegmenter(const EdgeSegmentationParameters& parameters)
-    : parameters_(parameters), left_finder_(parameters.posts), right_finder_(parameters.posts) {}
+    : parameters_(parameters),
+      left_finder_(parameters.posts),
+      right_finder_(parameters.posts),
+      seed_finder_(parameters.posts) {}
 
 const Segments& EdgeSegmenter::segment(YuyvView image, const ScanLayout& layout,
                                        const CameraOverGround* view) {
@@ -112,8 +79,7 @@ const Segments& EdgeSegmenter::segment(YuyvView image, const ScanLayout& layout,
     survey(image);
     find_edges(image);
     if (field_ && !ground_.empty()) find_posts(image, view);
-    write_rows(image);
-    write_columns(image);
+    writer_.write(image, {frame_.rows, columns_, ground_, field_, runs_}, segments_);
     return segments_;
 }
 
@@ -125,7 +91,7 @@ void EdgeSegmenter::survey(YuyvView image) {
     sampled_steps_.clear();
     const std::size_t rows_apart = std::max<std::size_t>(1, frame_.rows.size() / survey_rows);
     for (std::size_t row = rows_apart / 2; row < frame_.rows.size(); row += rows_apart) {
-        row_.load(image, frame_.rows[row]);
+        row_.load(image, frame_.rows[row], frame_.rows[std::min(row + rows_apart, frame_.rows.size() - 1)]);
         const auto steps = row_.squared_steps(threshold_.window, threshold_.chroma_weight);
         const float down = static_cast<float>(frame_.rows[row] + 1) / static_cast<float>(image.height);
         const int pairs_apart = std::max(1, row_.pairs() / survey_pairs);
@@ -145,13 +111,12 @@ void EdgeSegmenter::survey(YuyvView image) {
 }
 
 void EdgeSegmenter::find_edges(YuyvView image) {
-    ground_.begin(frame_.rows, columns_);
+    ground_.begin(image, frame_.rows, columns_);
     for (std::size_t row = 0; row < frame_.rows.size(); ++row) {
         frame_.first.push_back(frame_.edges.size());
-        row_.load(image, frame_.rows[row]);
-        if (row + 1 < frame_.rows.size()) ask_for_row(image, frame_.rows[row + 1]);
+        row_.load(image, frame_.rows[row], frame_.rows[std::min(row + rows_ahead, frame_.rows.size() - 1)]);
         find_row_edges(row_, threshold_, field_, frame_.edges);
-        if (field_) ground_.add_row(row_, *field_);
+        if (field_) ground_.add_row(*field_);
     }
     frame_.first.push_back(frame_.edges.size());
     ground_.finish();
@@ -165,13 +130,14 @@ void EdgeSegmenter::find_posts(YuyvView image, const CameraOverGround* view) {
         static_cast<float>(share_of_mean_brightness * posts.least_brightness) * field_->luma();
     const auto left = left_finder_.find(frame_, ChainSide::left, threshold_, straightness, darkest);
     const auto right = right_finder_.find(frame_, ChainSide::right, threshold_, straightness, darkest);
-    find_strip_seeds(frame_, left, right, posts, threshold_.chroma_weight, straightness, image.width, seeds_);
-    for (const StripSeed& seed : seeds_) {
+    for (const StripSeed& seed :
+         seed_finder_.find(frame_, left, right, threshold_.chroma_weight, straightness, image.width)) {
+        if (strips_.size() == most_strips) break;
         if (seed.inside.y < darkest_mean) continue;
         if (std::any_of(strips_.begin(), strips_.end(),
                         [&](const JudgedStrip& s) { return known(seed, frame_, s, straightness); }))
             continue;
-        JudgedStrip judged{grow_strip(image, frame_, seed, posts, threshold_, straightness), ""};
+        JudgedStrip judged{grow_strip(image, frame_, seed, posts, threshold_, straightness, stretch_), ""};
         if (judged.strip.rows.empty()) continue;
         judged.refused = why_no_post(judged.strip, frame_, ground_, *field_, posts, threshold_, straightness,
                                      image.width, image.height, view)
@@ -204,101 +170,6 @@ void EdgeSegmenter::find_posts(YuyvView image, const CameraOverGround* view) {
     std::sort(runs_.begin(), runs_.end(), [](const GoalRun& a, const GoalRun& b) {
         return a.row != b.row ? a.row < b.row : a.left < b.left;
     });
-}
-
-void EdgeSegmenter::write_rows(YuyvView image) {
-    const auto first_pixel = [&](float x) {
-        return std::clamp(static_cast<int>(std::lround(x + 0.5F)), 1, image.width - 1);
-    };
-    changed_.resize(columns_.size() + label_margin);
-    auto run = runs_.begin();
-    for (std::size_t row = 0; row < frame_.rows.size(); ++row) {
-        const std::uint8_t* ground = ground_.row(row);
-        const std::size_t changes =
-            columns_.empty() ? 0 : find_changes(ground, ground + 1, columns_.size() - 1, changed_.data());
-        LineWriter line(segments_, Orientation::horizontal, frame_.rows[row]);
-        Colour colour = !columns_.empty() && ground[0] != 0 ? Colour::field : Colour::unclassified;
-        line.change(0, colour);
-        const auto write_run = [&] {
-            // What goes on beyond the picture has no edge at its border.
-            if (run->left < 0.5F) {
-                line.change(0, Colour::goal);
-            } else {
-                line.change(first_pixel(run->left), Colour::goal, run->left);
-            }
-            if (run->right < static_cast<float>(image.width) - 1.5F)
-                line.change(first_pixel(run->right), colour, run->right);
-            ++run;
-        };
-        const auto of_row = [&] { return run != runs_.end() && run->row == row; };
-        for (std::size_t k = 0; k < changes; ++k) {
-            const auto c = static_cast<std::size_t>(changed_[k]);
-            const int start = (columns_[c] + columns_[c + 1] + 1) / 2;
-            while (of_row() && first_pixel(run->right) <= start) write_run();
-            colour = colour == Colour::field ? Colour::unclassified : Colour::field;
-            if (!of_row() || first_pixel(run->left) > start) line.change(start, colour);
-        }
-        while (of_row()) write_run();
-        line.end(image.width);
-    }
-}
-
-/// The field's first pixel between a sample above it and one on it, by halves.
-int EdgeSegmenter::field_begins(YuyvView image, int x, int upper, int lower) const {
-    while (lower - upper > 1) {
-        const int middle = (upper + lower) / 2;
-        (field_->contains(mean_of_pairs(image, middle, x / 2, x / 2 + 1)) ? lower : upper) = middle;
-    }
-    return lower;
-}
-
-void EdgeSegmenter::write_columns(YuyvView image) {
-    const std::size_t columns = columns_.size();
-    const std::size_t rows = frame_.rows.size();
-    constexpr auto goal = static_cast<std::uint8_t>(Colour::goal);
-    static_assert(static_cast<int>(Colour::field) == 1 && static_cast<int>(Colour::unclassified) == 0);
-    labels_.assign(ground_.row(0), ground_.row(rows) + label_margin);
-    for (const GoalRun& run : runs_) {
-        const auto begin = std::lower_bound(columns_.begin(), columns_.end(), run.left,
-                                            [](int x, float left) { return static_cast<float>(x) < left; });
-        for (auto x = begin; x != columns_.end() && static_cast<float>(*x) < run.right; ++x)
-            labels_[run.row * columns + static_cast<std::size_t>(x - columns_.begin())] = goal;
-    }
-    // Row by row, as memory lies, then by column.
-    changes_.clear();
-    first_change_.assign(columns + 1, 0);
-    for (std::size_t row = 1; row < rows; ++row) {
-        const std::uint8_t* here = labels_.data() + row * columns;
-        const std::size_t count = find_changes(here - columns, here, columns, changed_.data());
-        for (std::size_t k = 0; k < count; ++k) {
-            const auto column = static_cast<std::size_t>(changed_[k]);
-            changes_.push_back({row, column});
-            ++first_change_[column + 1];
-        }
-    }
-    for (std::size_t c = 0; c < columns; ++c) first_change_[c + 1] += first_change_[c];
-    sorted_.resize(changes_.size());
-    for (const ColumnChange& change : changes_) sorted_[first_change_[change.column]++] = change;
-
-    auto change = sorted_.begin();
-    for (std::size_t c = 0; c < columns; ++c) {
-        LineWriter line(segments_, Orientation::vertical, columns_[c]);
-        const auto label = [&](std::size_t row) { return static_cast<Colour>(labels_[row * columns + c]); };
-        line.change(0, rows > 0 ? label(0) : Colour::unclassified);
-        bool begun = rows > 0 && label(0) == Colour::field;
-        for (; change != sorted_.end() && change->column == c; ++change) {
-            const Colour above = label(change->row - 1);
-            const Colour below = label(change->row);
-            const int upper = frame_.rows[change->row - 1];
-            const int lower = frame_.rows[change->row];
-            // To the pixel where it matters, at the border.
-            const bool border = above != Colour::goal && below == Colour::field && !begun;
-            begun = begun || below == Colour::field;
-            line.change(border ? field_begins(image, columns_[c], upper, lower) : (upper + lower + 1) / 2,
-                        below);
-        }
-        line.end(image.height);
-    }
 }
 
 }  // namespace goalmouth

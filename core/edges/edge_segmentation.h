@@ -8,13 +8,14 @@
 #include "core/edges/frame_edges.h"
 #include "core/edges/ground.h"
 #include "core/edges/row_edges.h"
+#include "core/edges/row_stretch.h"
+#include "core/edges/segment_writer.h"
 #include "core/edges/strip_seeds.h"
 #include "core/edges/upright_strip.h"
 #include "core/imaging/yuyv.h"
 #include "core/segmentation/scan_lines.h"
 #include "core/segmentation/segments.h"
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,15 +61,14 @@ class EdgeSegmenter {
     void survey(YuyvView image);
     void find_edges(YuyvView image);
     void find_posts(YuyvView image, const CameraOverGround* view);
-    void write_rows(YuyvView image);
-    void write_columns(YuyvView image);
-    int field_begins(YuyvView image, int x, int upper, int lower) const;
 
     EdgeSegmentationParameters parameters_;
     FieldColourFinder field_finder_;
     ChainFinder left_finder_, right_finder_;
+    StripSeedFinder seed_finder_;
     Ground ground_;
     ChromaRow row_;
+    RowStretch stretch_;
     std::vector<float> sampled_steps_;
     std::vector<FieldSample> samples_;
     std::vector<int> columns_;  // px
@@ -76,25 +76,10 @@ class EdgeSegmenter {
     EdgeThreshold threshold_;
     std::optional<FieldColour> field_;
     FrameEdges frame_;
-    std::vector<StripSeed> seeds_;
     std::vector<JudgedStrip> strips_;
 
-    /// Goal runs of all rows, row by row.
-    struct GoalRun {
-        std::size_t row;
-        float left, right;  // px
-    };
-    std::vector<GoalRun> runs_;
-
-    /// A change down a column, before the row of that number.
-    struct ColumnChange {
-        std::size_t row;
-        std::size_t column;
-    };
-    std::vector<std::uint8_t> labels_;  // by row and column
-    std::vector<std::int32_t> changed_;
-    std::vector<ColumnChange> changes_, sorted_;
-    std::vector<std::size_t> first_change_;  // of each column in sorted_; one more at the end
+    std::vector<GoalRun> runs_;  // by row, from left to right
+    SegmentWriter writer_;
     Segments segments_;
 };
 

@@ -17,6 +17,9 @@ float middle_of(int bin) {
     return (static_cast<float>(bin) + 0.5F) * bin_size - reach;
 }
 
+/// Nothing with more red in it belongs to the cluster.
+constexpr float least_green = -0.03F;  // v
+
 /// A field is green or, under coloured light, at least no redder than it is blue-green.
 bool may_be_field(float u, float v) {
     return v < -0.05F && u < -0.6F * v;
@@ -28,17 +31,20 @@ std::optional<FieldColour> FieldColourFinder::find(const std::vector<FieldSample
                                                    float least_share) {
     histogram_.assign(bins * bins, 0.F);
     float total = 0.F;
+    greenish_.clear();
     for (const FieldSample& s : samples) {
         const Chromaticity c = chromaticity(s.appearance);
-        const float weight = s.down;
-        total += weight;
+        total += s.down;
+        if (c.v > least_green) continue;
+        greenish_.push_back({c, s.down});
         if (!may_be_field(c.u, c.v)) continue;
-        histogram_[static_cast<std::size_t>(bin_of(c.v) * bins + bin_of(c.u))] += weight;
+        histogram_[static_cast<std::size_t>(bin_of(c.v) * bins + bin_of(c.u))] += s.down;
     }
     float most = 0.F;
     float u = 0.F;
     float v = 0.F;
-    for (int j = 1; j + 1 < bins; ++j) {
+    // Bins farther on are empty: v is less than 0.
+    for (int j = 1; j <= bin_of(0.F) + 1; ++j) {
         for (int i = 1; i + 1 < bins; ++i) {
             float sum = 0.F;
             for (int dj = -1; dj <= 1; ++dj)
@@ -62,12 +68,11 @@ std::optional<FieldColour> FieldColourFinder::find(const std::vector<FieldSample
     for (int round = 0; round < 3; ++round) {
         const float det = suu * svv - suv * suv;
         double n = 0.0, mu = 0.0, mv = 0.0, muu = 0.0, muv = 0.0, mvv = 0.0;
-        for (const FieldSample& s : samples) {
-            const Chromaticity c = chromaticity(s.appearance);
-            const float du = c.u - u;
-            const float dv = c.v - v;
+        for (const Greenish& s : greenish_) {
+            const float du = s.chromaticity.u - u;
+            const float dv = s.chromaticity.v - v;
             const float d2 = (svv * du * du - 2.F * suv * du * dv + suu * dv * dv) / det;
-            if (d2 > gate * gate || c.v > -0.03F) continue;
+            if (d2 > gate * gate) continue;
             const double w = s.down;
             n += w;
             mu += w * du;

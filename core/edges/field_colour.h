@@ -63,6 +63,11 @@ class FieldColourFinder {
     std::optional<FieldColour> find(const std::vector<FieldSample>& samples, float least_share);
 
   private:
+    struct Greenish {
+        Chromaticity chromaticity;
+        float down;
+    };
+    std::vector<Greenish> greenish_;  // samples that may belong to it
     std::vector<float> histogram_;
     std::vector<float> lumas_;
 };

@@ -1,5 +1,7 @@
 #include "core/edges/ground.h"
 
+#include "core/edges/pair_mean.h"
+#include "core/edges/row_vectors.h"
 #include "core/geometry/convex_hull.h"
 #include "core/segmentation/pixel_labels.h"
 
@@ -7,38 +9,36 @@
 
 namespace goalmouth {
 
-void Ground::begin(const std::vector<int>& rows, const std::vector<int>& columns) {
+void Ground::begin(YuyvView image, const std::vector<int>& rows, const std::vector<int>& columns) {
+    image_ = image;
     rows_ = &rows;
     columns_ = &columns;
     rows_seen_ = 0;
-    mask_.assign(rows.size() * columns.size() + label_margin, 0);
+    mask_.assign(rows.size() * columns.size() + std::max(label_margin, row_margin), 0);
     hull_.clear();
+    pairs_.clear();
+    // Each with its right neighbour, the picture's last one with its left one.
+    for (const int x : columns) pairs_.push_back(std::max(0, std::min(x / 2, (image.width - 1) / 2 - 1)));
 }
 
-void Ground::add_row(ChromaRow& row, const FieldColour& field) {
-    std::uint8_t* mask = mask_.data() + rows_seen_++ * columns_->size();
-    const auto is_field = row.is_field(field);
-    for (const int x : *columns_) *mask++ = is_field[static_cast<std::size_t>(x / 2)];
+void Ground::add_row(const FieldColour& field) {
+    const std::uint8_t* row = image_.row((*rows_)[rows_seen_]);
+    std::uint8_t* mask = mask_.data() + rows_seen_ * columns_->size();
+    ++rows_seen_;
+    if (image_.width > 2) {
+        find_field(row, pairs_.data(), columns_->size(), field, mask);
+    } else {
+        std::fill_n(mask, columns_->size(), field.contains(mean_of_pairs(row, 0, 0)) ? 1 : 0);
+    }
 }
 
 void Ground::finish() {
     const std::size_t columns = columns_->size();
-    sum_.assign(columns, 0);
-    most_.assign(columns, 0);
-    begins_.assign(columns, static_cast<std::int32_t>(rows_->size()));
-    for (std::size_t r = rows_seen_; r-- > 0;) {
-        const std::uint8_t* mask = mask_.data() + r * columns;
-        for (std::size_t c = 0; c < columns; ++c) {
-            sum_[c] += mask[c] ? 2 : -1;
-            const bool more = sum_[c] > most_[c];
-            most_[c] = more ? sum_[c] : most_[c];
-            begins_[c] = more ? static_cast<std::int32_t>(r) : begins_[c];
-        }
-    }
+    begins_.resize(columns + row_margin);
+    find_ground(mask_.data(), rows_seen_, columns, begins_.data());
     points_.clear();
     for (std::size_t c = 0; c < columns; ++c) {
         const auto begins = static_cast<std::size_t>(begins_[c]);
-        for (std::size_t r = 0; r < std::min(begins, rows_seen_); ++r) mask_[r * columns + c] = 0;
         if (begins < rows_seen_) points_.emplace_back((*columns_)[c], (*rows_)[begins]);
     }
     upper_hull(points_, hull_);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/edges/chroma_row.h"
 #include "core/edges/field_colour.h"
+#include "core/imaging/yuyv.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,9 +20,9 @@ namespace goalmouth {
 class Ground {
   public:
     /// `rows` and `columns` [px] ascending, inside the picture; they are to stay until the next frame.
-    void begin(const std::vector<int>& rows, const std::vector<int>& columns);
+    void begin(YuyvView image, const std::vector<int>& rows, const std::vector<int>& columns);
     /// The next row, from the top.
-    void add_row(ChromaRow& row, const FieldColour& field);
+    void add_row(const FieldColour& field);
     /// After the last row.
     void finish();
 
@@ -33,11 +33,13 @@ class Ground {
     double border_at(double x) const;
 
   private:
+    YuyvView image_;
     const std::vector<int>* rows_ = nullptr;
     const std::vector<int>* columns_ = nullptr;
     std::size_t rows_seen_ = 0;
     std::vector<std::uint8_t> mask_;
-    std::vector<std::int32_t> sum_, most_, begins_;
+    std::vector<std::int32_t> pairs_;  // of the columns
+    std::vector<std::int32_t> begins_;
     std::vector<Eigen::Vector2d> points_, hull_;
 };
 

@@ -11,12 +11,22 @@ void find_row_edges(ChromaRow& row, const EdgeThreshold& threshold, const std::o
     const int n = row.pairs();
     const auto steps = row.squared_steps(w, threshold.chroma_weight);
     const auto peaks = row.peaks(threshold.strength * threshold.strength, w);
-    const std::size_t begin = edges.size();
-    const auto step_at = [&](int i) {
-        return i < 0 || i >= n ? 0.F : std::sqrt(steps[static_cast<std::size_t>(i)]);
-    };
-    for (const int i : peaks) {
+    for (std::size_t k = 0; k < peaks.size(); ++k) {
+        const int i = peaks[k];
+        // Sides are looked at where blur has ended, and before the next edge.
+        const int before = k > 0 ? peaks[k - 1] : 0;
+        const int after = k + 1 < peaks.size() ? peaks[k + 1] : n;
+        const int reach_left = std::max(1, std::min(3 * w, (i - before) / 2));
+        const int reach_right = std::max(1, std::min(3 * w, (after - i) / 2));
         RowEdge e;
+        e.left = row.mean(i - reach_left, i - 1 - reach_left / 2);
+        e.right = row.mean(i + reach_right / 2, i + reach_right - 1);
+        e.left_is_field = field && field->contains(e.left);
+        e.right_is_field = field && field->contains(e.right);
+        if (e.left_is_field && e.right_is_field) continue;
+        const auto step_at = [&](int j) {
+            return j < 0 || j >= n ? 0.F : std::sqrt(steps[static_cast<std::size_t>(j)]);
+        };
         e.strength = step_at(i);
         const float a = step_at(i - 1);
         const float c = step_at(i + 1);
@@ -25,23 +35,6 @@ void find_row_edges(ChromaRow& row, const EdgeThreshold& threshold, const std::o
         e.x = 2.F * (static_cast<float>(i) + offset) - 0.5F;
         edges.push_back(e);
     }
-    // Sides are looked at where blur has ended, and before the next edge.
-    std::size_t kept = begin;
-    for (std::size_t k = begin; k < edges.size(); ++k) {
-        RowEdge e = edges[k];
-        const int i = peaks[k - begin];
-        const int before = k > begin ? peaks[k - begin - 1] : 0;
-        const int after = k + 1 < edges.size() ? peaks[k + 1 - begin] : n;
-        const int reach_left = std::max(1, std::min(3 * w, (i - before) / 2));
-        const int reach_right = std::max(1, std::min(3 * w, (after - i) / 2));
-        e.left = row.mean(i - reach_left, i - 1 - reach_left / 2);
-        e.right = row.mean(i + reach_right / 2, i + reach_right - 1);
-        e.left_is_field = field && field->contains(e.left);
-        e.right_is_field = field && field->contains(e.right);
-        if (e.left_is_field && e.right_is_field) continue;
-        edges[kept++] = e;
-    }
-    edges.resize(kept);
 }
 
 }  // namespace goalmouth

@@ -1,6 +1,6 @@
 #include "core/edges/strip_growth.h"
 
-#include "core/edges/chroma_row.h"
+#include "core/edges/pair_mean.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,68 +20,41 @@ constexpr double share_of_threshold = 0.5;
 constexpr double share_of_contrast = 0.15;
 constexpr double share_in_other_light = 0.6;
 
-/// Sums over the pairs of a stretch of a row.
-class StretchSums {
-  public:
-    /// Pairs first … end − 1, all inside the picture.
-    void read(YuyvView image, int y, int first, int end) {
-        first_ = first;
-        sums_.resize(static_cast<std::size_t>(end - first) + 1);
-        const std::uint8_t* pair = image.row(y) + 4 * first;
-        Sum sum;
-        for (Sum& before : sums_) {
-            before = sum;
-            if (&before == &sums_.back()) break;
-            sum = {sum.y + pair[0] + pair[2], sum.cb + pair[1] - 128, sum.cr + pair[3] - 128};
-            pair += 4;
-        }
-    }
-    Appearance mean(int first, int end) const {
-        const Sum& a = sums_[static_cast<std::size_t>(first - first_)];
-        const Sum& b = sums_[static_cast<std::size_t>(end - first_)];
-        const float share = 1.F / static_cast<float>(end - first);
-        return Appearance{0.5F * static_cast<float>(b.y - a.y), static_cast<float>(b.cb - a.cb),
-                          static_cast<float>(b.cr - a.cr)} *
-               share;
-    }
-
-  private:
-    struct Sum {
-        int y = 0, cb = 0, cr = 0;
-    };
-    int first_ = 0;
-    std::vector<Sum> sums_;
-};
-
 class Growth {
   public:
     Growth(YuyvView image, const FrameEdges& frame, const StripSeed& seed, const StripParameters& parameters,
-           const EdgeThreshold& threshold, double straightness)
+           const EdgeThreshold& threshold, double straightness, RowStretch& row)
         : image_(image),
           frame_(frame),
           seed_(seed),
           parameters_(parameters),
           threshold_(threshold),
-          straightness_(straightness) {
+          straightness_(straightness),
+          reach_(static_cast<int>(std::ceil(0.5 * straightness))),
+          least_step_(std::max(share_of_threshold * static_cast<double>(threshold.strength),
+                               share_of_contrast * seed.contrast)),
+          row_(row) {
         strip_.left = seed.left;
         strip_.right = seed.right;
     }
 
     UprightStrip grow() {
         surface_ = seed_.inside;
-        for (int row = seed_.first_row; row <= seed_.last_row; ++row) look(row);
+        std::vector<StripRow>& rows = strip_.rows;
+        rows.reserve(frame_.rows.size());
+        for (int row = seed_.first_row; row <= seed_.last_row; ++row) look(row, row + 1);
         follow();
         go_on(seed_.last_row + 1, static_cast<int>(frame_.rows.size()), 1);
+        const auto up = static_cast<std::ptrdiff_t>(rows.size());
         surface_ = seed_.inside;
         go_on(seed_.first_row - 1, -1, -1);
+        std::reverse(rows.begin() + up, rows.end());
+        std::rotate(rows.begin(), rows.begin() + up, rows.end());
 
-        std::sort(strip_.rows.begin(), strip_.rows.end(),
-                  [](const StripRow& a, const StripRow& b) { return a.y < b.y; });
         // Where no edge follows, nothing says that it is still the strip.
         const auto shows_edge = [](const StripRow& row) { return row.left || row.right; };
-        const auto first = std::find_if(strip_.rows.begin(), strip_.rows.end(), shows_edge);
-        const auto last = std::find_if(strip_.rows.rbegin(), strip_.rows.rend(), shows_edge).base();
-        strip_.rows = first < last ? std::vector<StripRow>(first, last) : std::vector<StripRow>();
+        rows.erase(std::find_if(rows.rbegin(), rows.rend(), shows_edge).base(), rows.end());
+        rows.erase(rows.begin(), std::find_if(rows.begin(), rows.end(), shows_edge));
         if (strip_.both > 0) strip_.contrast /= strip_.both;
         if (summed_ > 0) strip_.inside = sum_ * (1.F / static_cast<float>(summed_));
         return std::move(strip_);
@@ -89,8 +62,7 @@ class Growth {
 
   private:
     struct Step {
-        int pair = 0;  // the first one right of it
-        Appearance outside, inside;
+        int pair = 0;       // the first one right of it
         double size = 0.0;  // grey levels, how much more unlike the surface it is outside than inside
     };
 
@@ -101,7 +73,7 @@ class Growth {
         int without_surface = 0;
         int without_edge = 0;
         for (; row != end; row += step) {
-            switch (look(row)) {
+            switch (look(row, row + step)) {
                 case Seen::edge:
                     follow();
                     without_surface = without_edge = 0;
@@ -122,7 +94,8 @@ class Growth {
         if (right_.points() >= rows_of_a_line) strip_.right = right_.line();
     }
 
-    Seen look(int row) {
+    /// `next`: the row that is looked at after it.
+    Seen look(int row, int next) {
         const int y = frame_.rows[static_cast<std::size_t>(row)];
         const double l = strip_.left.at(y);
         const double r = strip_.right.at(y);
@@ -130,18 +103,22 @@ class Growth {
         // About its middle, off the edges.
         const int middle = pair_at(0.5 * (l + r));
         const int reach = std::min(static_cast<int>(0.1 * (r - l)), threshold_.window);
-        const Appearance inside = mean_of_pairs(image_, y, middle - reach, middle + reach);
+        const Appearance inside = mean_of_pairs(image_.row(y), std::max(0, middle - reach),
+                                                std::min((image_.width - 1) / 2, middle + reach));
         // The same surface, or at least the same in other light, where a shadow ends on it.
-        const double bound = parameters_.sameness * seed_.contrast;
-        const bool same = unlike(inside, surface_) <= bound;
-        if (!same && unlike(inside, surface_, 0.F) > bound) return Seen::nothing;
+        const bool same = looks_like_surface(inside, shade_share);
+        if (!same && !looks_like_surface(inside, 0.F)) return Seen::nothing;
 
-        const auto left = strongest_step(y, l, inside, ChainSide::left);
-        const auto right = strongest_step(y, r, inside, ChainSide::right);
+        const int beside = reach_ + threshold_.window;
+        row_.load(image_, y, border_at(l) - beside, border_at(r) + beside);
+        if (next >= 0 && next < static_cast<int>(frame_.rows.size()))
+            row_.ask_for(image_, frame_.rows[static_cast<std::size_t>(next)]);
+        const auto left = strongest_step(l, inside, ChainSide::left);
+        const auto right = strongest_step(r, inside, ChainSide::right);
         StripRow found;
         found.y = y;
-        if (left) found.left = believed(y, *left, l, ChainSide::left);
-        if (right) found.right = believed(y, *right, r, ChainSide::right);
+        if (left) found.left = believed(*left, l);
+        if (right) found.right = believed(*right, r);
         if (!same) {
             // Both edges then have to be as distinct, for that light, as they were.
             const double light = std::min(1.0, static_cast<double>(inside.y / std::max(surface_.y, 1.F)));
@@ -166,66 +143,56 @@ class Growth {
         return Seen::edge;
     }
 
-    std::optional<Step> strongest_step(int y, double x, const Appearance& surface, ChainSide side) {
+    std::optional<Step> strongest_step(double x, const Appearance& surface, ChainSide side) {
         const int w = threshold_.window;
-        const int reach = static_cast<int>(std::ceil(0.5 * straightness_));
-        const int middle = static_cast<int>(std::lround(0.5 * (x + 0.5)));
-        const int first = std::max(w, middle - reach);
-        const int last = std::min((image_.width + 1) / 2 - w, middle + reach);
+        const int first = std::max(row_.first() + w, border_at(x) - reach_);
+        const int last = std::min(row_.end() - w, border_at(x) + reach_);
         if (first > last) return std::nullopt;
-        sums_.read(image_, y, first - w, last + w);
-        std::optional<Step> best;
-        for (int i = first; i <= last; ++i) {
-            Step step;
-            step.pair = i;
-            step.outside = sums_.mean(i - w, i);
-            step.inside = sums_.mean(i, i + w);
-            if (side == ChainSide::right) std::swap(step.outside, step.inside);
-            step.size = unlike(step.outside, surface) - unlike(step.inside, surface);
-            if (!best || step.size > best->size) best = step;
+        // Boxes right of each place, and before them those left of it.
+        const auto unlike = row_.unlikeness(first - w, last, w, surface, threshold_.chroma_weight);
+        const auto* before = unlike.data();
+        const auto* after = before + w;
+        if (side == ChainSide::right) std::swap(before, after);
+        Step step;
+        float most = before[0] - after[0];
+        int best = 0;
+        for (int i = 1; i <= last - first; ++i) {
+            const float size = before[i] - after[i];
+            best = size > most ? i : best;
+            most = std::max(most, size);
         }
-        if (w > 1) {
-            // For its place, sides as they are where blur has ended.
-            best->outside = sums_.mean(best->pair - w, best->pair - 1);
-            best->inside = sums_.mean(best->pair + 1, best->pair + w);
-            if (side == ChainSide::right) std::swap(best->outside, best->inside);
-        }
-        return best;
+        step.pair = first + best;
+        step.size = static_cast<double>(most);
+        return step;
     }
 
-    std::optional<float> believed(int y, const Step& step, double expected, ChainSide side) const {
-        const double least = std::max(share_of_threshold * static_cast<double>(threshold_.strength),
-                                      share_of_contrast * seed_.contrast);
-        if (step.size < least) return std::nullopt;
-        const double x = side == ChainSide::left ? locate(y, step.pair, step.outside, step.inside)
-                                                 : locate(y, step.pair, step.inside, step.outside);
-        if (!(std::abs(x - expected) <= straightness_))
-            return std::nullopt;  // nor where both sides are alike
+    std::optional<float> believed(const Step& step, double expected) const {
+        if (step.size < least_step_) return std::nullopt;
+        // Sides as they are where blur has ended.
+        const int w = threshold_.window;
+        const int gap = w > 1 ? 1 : 0;
+        const Appearance left = row_.mean(step.pair - w, step.pair - 1 - gap);
+        const Appearance right = row_.mean(step.pair + gap, step.pair + w - 1);
+        const Appearance change = right - left;
+        if (!(change.dot(change) > 0.F)) return std::nullopt;
+        const double x = row_.step_place(step.pair, w, left, right);
+        if (std::abs(x - expected) > straightness_) return std::nullopt;
         return static_cast<float>(x);
     }
 
-    /// A step from a to b about the left side of a pair.
-    double locate(int y, int pair, const Appearance& a, const Appearance& b) const {
-        const Appearance change = b - a;
-        const float whole = change.dot(change);
-        const int w = 2 * threshold_.window;
-        const int first = std::max(0, 2 * pair - w);
-        const int last = std::min(image_.width, 2 * pair + w) - 1;
-        float still_a = 0.F;
-        for (int x = first; x <= last; ++x) {
-            const Ycbcr p = image_.at(x, y);
-            const Appearance here{static_cast<float>(p.y), static_cast<float>(p.cb) - 128.F,
-                                  static_cast<float>(p.cr) - 128.F};
-            still_a += 1.F - std::clamp((here - a).dot(change) / whole, 0.F, 1.F);
-        }
-        return first - 0.5 + static_cast<double>(still_a);
+    bool looks_like_surface(const Appearance& inside, float shade) const {
+        const double bound = parameters_.sameness * seed_.contrast;
+        return static_cast<double>(squared_unlikeness(inside, surface_, threshold_.chroma_weight, shade)) <=
+               bound * bound;
     }
-
-    double unlike(const Appearance& a, const Appearance& surface, float shade = 0.25F) const {
-        return std::sqrt(
-            static_cast<double>(squared_unlikeness(a, surface, threshold_.chroma_weight, shade)));
+    static int pair_at(double x) { return whole(0.5 * (x + 0.5)); }
+    /// The pair with the left border that is nearest to x.
+    static int border_at(double x) { return whole(0.5 * (x + 0.5) + 0.5); }
+    /// The largest whole number that is no larger; std::floor() is a call on processors of any age.
+    static int whole(double x) {
+        const int towards_zero = static_cast<int>(x);
+        return towards_zero - (x < towards_zero ? 1 : 0);
     }
-    static int pair_at(double x) { return static_cast<int>(std::floor(0.5 * (x + 0.5))); }
 
     YuyvView image_;
     const FrameEdges& frame_;
@@ -233,20 +200,22 @@ class Growth {
     const StripParameters& parameters_;
     EdgeThreshold threshold_;
     double straightness_;
+    int reach_;          // how far from where it is expected an edge is sought [pairs]
+    double least_step_;  // grey levels, of an edge
+    RowStretch& row_;
     UprightStrip strip_;
     Appearance surface_;  // as it was last seen
     Appearance sum_;      // of the insides of the rows that show an edge,
     int summed_ = 0;      // so many
     UprightFit left_, right_;
-    StretchSums sums_;
 };
 
 }  // namespace
 
 UprightStrip grow_strip(YuyvView image, const FrameEdges& frame, const StripSeed& seed,
                         const StripParameters& parameters, const EdgeThreshold& threshold,
-                        double straightness) {
-    return Growth(image, frame, seed, parameters, threshold, straightness).grow();
+                        double straightness, RowStretch& row) {
+    return Growth(image, frame, seed, parameters, threshold, straightness, row).grow();
 }
 
 }  // namespace goalmouth

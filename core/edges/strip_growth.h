@@ -2,6 +2,7 @@
 
 #include "core/edges/edge_parameters.h"
 #include "core/edges/frame_edges.h"
+#include "core/edges/row_stretch.h"
 #include "core/edges/strip_seeds.h"
 #include "core/edges/upright_strip.h"
 #include "core/imaging/yuyv.h"
@@ -15,9 +16,10 @@ namespace goalmouth {
 ///
 /// Place of an edge: the colours beside it are taken as its sides a and b; each pixel between is projected on
 /// b − a in (Y, Cb, Cr) as a share of "already b", and the edge is where a sharp step would have the same sum
-/// of shares (core/segmentation/transition.h). Nothing where not one row shows an edge.
+/// of shares (core/segmentation/transition.h). Nothing where not one row shows an edge. `row`: memory to work
+/// with.
 UprightStrip grow_strip(YuyvView image, const FrameEdges& frame, const StripSeed& seed,
                         const StripParameters& parameters, const EdgeThreshold& threshold,
-                        double straightness);
+                        double straightness, RowStretch& row);
 
 }  // namespace goalmouth

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace goalmouth {
 namespace {
@@ -20,97 +19,120 @@ constexpr float shade_across = 0.1F;
 /// An edge between two others counts as an interruption when it is this distinct beside them.
 constexpr double interruption = 0.6;
 
-class PairOfChains {
-  public:
-    PairOfChains(const FrameEdges& frame, const StripParameters& parameters, float chroma_weight,
-                 double straightness)
-        : frame_(frame),
-          parameters_(parameters),
-          chroma_weight_(chroma_weight),
-          straightness_(straightness) {}
-
-    std::optional<StripSeed> seed(const EdgeChain& left, const EdgeChain& right, int width) {
-        StripSeed s;
-        s.first_row = std::max(left.points.front().row, right.points.front().row);
-        s.last_row = std::min(left.points.back().row, right.points.back().row);
-        const int common = s.last_row - s.first_row + 1;
-        if (common < parameters_.least_rows) return std::nullopt;
-        const double upper = right.line.at(frame_.y(s.first_row)) - left.line.at(frame_.y(s.first_row));
-        const double lower = right.line.at(frame_.y(s.last_row)) - left.line.at(frame_.y(s.last_row));
-        const double mean = 0.5 * (upper + lower);
-        if (mean < narrowest_px(parameters_, width) || mean > parameters_.widest * width ||
-            std::min(upper, lower) <= 0.0)
-            return std::nullopt;
-        if (std::abs(upper - lower) > parameters_.largest_taper * mean + straightness_) return std::nullopt;
-
-        int alike = 0;
-        int whole = 0;
-        UprightFit left_fit, right_fit;
-        Appearance inside;
-        auto l = left.points.begin();
-        auto r = right.points.begin();
-        while (l != left.points.end() && r != right.points.end()) {
-            if (l->row != r->row || l->edge >= r->edge) {
-                ++(l->row < r->row ? l : r);
-                continue;
-            }
-            const RowEdge& a = frame_.edges[l->edge];
-            const RowEdge& b = frame_.edges[r->edge];
-            const double distinct = std::min(unlike(a.left, a.right), unlike(b.right, b.left));
-            alike += unlike(a.right, b.left, shade_across) < across * parameters_.sameness * distinct;
-            whole += !interrupted(l->edge, r->edge, distinct);
-            left_fit.add(static_cast<double>(a.x), frame_.y(l->row));
-            right_fit.add(static_cast<double>(b.x), frame_.y(r->row));
-            inside = inside + (a.right + b.left) * 0.5F;
-            s.contrast += distinct;
-            ++s.rows;
-            ++l;
-            ++r;
-        }
-        if (s.rows < parameters_.least_rows || s.rows < most * common) return std::nullopt;
-        if (alike < most * s.rows || whole < most * s.rows) return std::nullopt;
-        s.left = left_fit.line();
-        s.right = right_fit.line();
-        s.inside = inside * (1.F / static_cast<float>(s.rows));
-        s.contrast /= s.rows;
-        return s;
-    }
-
-  private:
-    double unlike(const Appearance& a, const Appearance& surface, float shade = 0.25F) const {
-        return std::sqrt(static_cast<double>(squared_unlikeness(a, surface, chroma_weight_, shade)));
-    }
-
-    bool interrupted(std::size_t left, std::size_t right, double distinct) const {
-        for (std::size_t i = left + 1; i < right; ++i) {
-            const RowEdge& e = frame_.edges[i];
-            const auto x = static_cast<double>(e.x);
-            const bool between = x > static_cast<double>(frame_.edges[left].x) + straightness_ &&
-                                 x < static_cast<double>(frame_.edges[right].x) - straightness_;
-            if (between && unlike(e.left, e.right) > interruption * distinct) return true;
-        }
-        return false;
-    }
-
-    const FrameEdges& frame_;
-    const StripParameters& parameters_;
-    float chroma_weight_;
-    double straightness_;
-};
-
 }  // namespace
 
-void find_strip_seeds(const FrameEdges& frame, std::span<const EdgeChain> left,
-                      std::span<const EdgeChain> right, const StripParameters& parameters,
-                      float chroma_weight, double straightness, int width, std::vector<StripSeed>& seeds) {
-    seeds.clear();
-    PairOfChains pair(frame, parameters, chroma_weight, straightness);
-    for (const EdgeChain& l : left)
-        for (const EdgeChain& r : right)
-            if (const auto seed = pair.seed(l, r, width)) seeds.push_back(*seed);
-    std::stable_sort(seeds.begin(), seeds.end(), [](const StripSeed& a, const StripSeed& b) {
+const std::vector<StripSeed>& StripSeedFinder::find(const FrameEdges& frame, std::span<const EdgeChain> left,
+                                                    std::span<const EdgeChain> right, float chroma_weight,
+                                                    double straightness, int width) {
+    frame_ = &frame;
+    chroma_weight_ = chroma_weight;
+    straightness_ = straightness;
+    narrowest_ = narrowest_px(parameters_, width);
+    widest_ = parameters_.widest * width;
+    looks_ = 0;
+    seeds_.clear();
+    from_left_.assign(frame.edges.size(), -1.F);
+    from_right_.assign(frame.edges.size(), -1.F);
+    right_chain_.assign(frame.edges.size(), none);
+    met_.assign(right.size(), 0);
+    for (std::size_t c = 0; c < right.size(); ++c)
+        for (const ChainPoint& point : right[c].points) right_chain_[point.edge] = c;
+
+    for (const EdgeChain& l : left) {
+        candidates_.clear();
+        for (const ChainPoint& point : l.points) meet(static_cast<std::size_t>(point.row), point.edge);
+        std::sort(candidates_.begin(), candidates_.end());
+        for (const std::size_t c : candidates_) {
+            if (const auto found = seed(l, right[c], met_[c])) seeds_.push_back(*found);
+            met_[c] = 0;
+        }
+    }
+    std::stable_sort(seeds_.begin(), seeds_.end(), [](const StripSeed& a, const StripSeed& b) {
         return a.rows * a.contrast > b.rows * b.contrast;
     });
+    return seeds_;
+}
+
+/// Counts the right chains that a left edge meets on its row with no interruption in between.
+void StripSeedFinder::meet(std::size_t row, std::size_t left) {
+    const std::vector<RowEdge>& edges = frame_->edges;
+    const auto x = [&](std::size_t i) { return static_cast<double>(edges[i].x); };
+    const double own = from_left(left);
+    const double farthest = x(left) + (1.0 + parameters_.largest_taper) * widest_ + straightness_;
+    const std::size_t end = frame_->first[row + 1];
+    double between = 0.0;  // the most distinct edge there, of those that came before `next`
+    std::size_t next = left + 1;
+    for (std::size_t i = left + 1; i < end && x(i) <= farthest; ++i) {
+        ++looks_;
+        for (; x(next) < x(i) - straightness_; ++next)
+            if (x(next) > x(left) + straightness_) between = std::max(between, from_left(next));
+        if (between > interruption * own) return;
+        const std::size_t c = right_chain_[i];
+        if (c == none || between > interruption * from_right(i)) continue;
+        if (met_[c]++ == 0) candidates_.push_back(c);
+    }
+}
+
+std::optional<StripSeed> StripSeedFinder::seed(const EdgeChain& left, const EdgeChain& right, int whole) {
+    StripSeed s;
+    s.first_row = std::max(left.points.front().row, right.points.front().row);
+    s.last_row = std::min(left.points.back().row, right.points.back().row);
+    const int common = s.last_row - s.first_row + 1;
+    const double least = std::max(static_cast<double>(parameters_.least_rows), most * common);
+    if (common < parameters_.least_rows || whole < most * least) return std::nullopt;
+    const double upper = right.line.at(frame_->y(s.first_row)) - left.line.at(frame_->y(s.first_row));
+    const double lower = right.line.at(frame_->y(s.last_row)) - left.line.at(frame_->y(s.last_row));
+    const double mean = 0.5 * (upper + lower);
+    if (mean < narrowest_ || mean > widest_ || std::min(upper, lower) <= 0.0) return std::nullopt;
+    if (std::abs(upper - lower) > parameters_.largest_taper * mean + straightness_) return std::nullopt;
+
+    int alike = 0;
+    UprightFit left_fit, right_fit;
+    Appearance inside;
+    auto l = left.points.begin();
+    auto r = right.points.begin();
+    while (l != left.points.end() && r != right.points.end()) {
+        ++looks_;
+        if (l->row != r->row || l->edge >= r->edge) {
+            ++(l->row < r->row ? l : r);
+            continue;
+        }
+        const RowEdge& a = frame_->edges[l->edge];
+        const RowEdge& b = frame_->edges[r->edge];
+        const double distinct = std::min(from_left(l->edge), from_right(r->edge));
+        alike += unlike(a.right, b.left, shade_across) < across * parameters_.sameness * distinct;
+        left_fit.add(static_cast<double>(a.x), frame_->y(l->row));
+        right_fit.add(static_cast<double>(b.x), frame_->y(r->row));
+        inside = inside + (a.right + b.left) * 0.5F;
+        s.contrast += distinct;
+        ++s.rows;
+        ++l;
+        ++r;
+    }
+    if (s.rows < least || alike < most * s.rows || whole < most * s.rows) return std::nullopt;
+    s.left = left_fit.line();
+    s.right = right_fit.line();
+    s.inside = inside * (1.F / static_cast<float>(s.rows));
+    s.contrast /= s.rows;
+    return s;
+}
+
+double StripSeedFinder::unlike(const Appearance& a, const Appearance& surface, float shade) const {
+    return static_cast<double>(std::sqrt(squared_unlikeness(a, surface, chroma_weight_, shade)));
+}
+
+double StripSeedFinder::from_left(std::size_t edge) {
+    const RowEdge& e = frame_->edges[edge];
+    if (from_left_[edge] < 0.F)
+        from_left_[edge] = std::sqrt(squared_unlikeness(e.left, e.right, chroma_weight_));
+    return static_cast<double>(from_left_[edge]);
+}
+
+double StripSeedFinder::from_right(std::size_t edge) {
+    const RowEdge& e = frame_->edges[edge];
+    if (from_right_[edge] < 0.F)
+        from_right_[edge] = std::sqrt(squared_unlikeness(e.right, e.left, chroma_weight_));
+    return static_cast<double>(from_right_[edge]);
 }
 
 }  // namespace goalmouth

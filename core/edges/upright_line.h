@@ -12,13 +12,10 @@ struct UprightLine {
 /// Its least-squares fit to points, which come one by one.
 class UprightFit {
   public:
-    void add(double x, double y) {
-        n_ += 1.0;
-        x_ += x;
-        y_ += y;
-        xy_ += x * y;
-        yy_ += y * y;
-    }
+    void add(double x, double y) { count(x, y, 1.0); }
+    /// Of a point that was added. Leaves nothing of it where x is of single precision and y whole: such sums
+    /// are exact.
+    void take_away(double x, double y) { count(x, y, -1.0); }
     double points() const { return n_; }
     /// Requires a point; upright where all lie in one row.
     UprightLine line() const {
@@ -28,6 +25,14 @@ class UprightFit {
     }
 
   private:
+    void count(double x, double y, double times) {
+        n_ += times;
+        x_ += times * x;
+        y_ += times * y;
+        xy_ += times * (x * y);
+        yy_ += times * (y * y);
+    }
+
     double n_ = 0.0, x_ = 0.0, y_ = 0.0, xy_ = 0.0, yy_ = 0.0;
 };
 

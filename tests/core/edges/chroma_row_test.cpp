@@ -1,10 +1,13 @@
 #include "core/edges/chroma_row.h"
 
+#include "core/edges/field_colour.h"
+#include "core/edges/row_vectors.h"
 #include "tests/support/vector_targets.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -120,21 +123,70 @@ TEST(ChromaRow, KnowsTheFieldAsItsColourDoes) {
             std::copy_n(image.data.begin() + static_cast<std::ptrdiff_t>(i), 4,
                         image.data.begin() + static_cast<std::ptrdiff_t>(i) + 4);
     }
+    std::vector<std::int32_t> pairs;  // from the right to the left, in uneven steps
+    for (int i = 498; i >= 0; i -= 1 + i % 3) pairs.push_back(i);
     on_each_vector_target([&] {
         ChromaRow row;
         row.load(image.view(), 0);
-        const auto is_field = row.is_field(*field);
-        ASSERT_EQ(static_cast<int>(is_field.size()), row.pairs());
+        std::vector<std::uint8_t> is_field(pairs.size() + row_margin, 9);
+        find_field(image.data.data(), pairs.data(), pairs.size(), *field, is_field.data());
         int yes = 0;
-        for (int i = 0; i + 1 < row.pairs(); ++i) {
-            EXPECT_EQ(is_field[static_cast<std::size_t>(i)] != 0, field->contains(row.mean(i, i + 1))) << i;
-            yes += is_field[static_cast<std::size_t>(i)];
+        for (std::size_t k = 0; k < pairs.size(); ++k) {
+            EXPECT_EQ(is_field[k], field->contains(row.mean(pairs[k], pairs[k] + 1)) ? 1 : 0) << pairs[k];
+            yes += is_field[k];
         }
-        // The last one has no neighbour to the right.
-        EXPECT_EQ(is_field.back() != 0, field->contains(row.at(row.pairs() - 1)));
         EXPECT_GT(yes, 20);
-        EXPECT_LT(yes, row.pairs() - 20);
+        EXPECT_LT(yes, static_cast<int>(pairs.size()) - 20);
     });
+}
+
+TEST(ChromaRow, TakesTheMeanOfAnyStretch) {
+    const YuyvImage image = noise_row(1401, 4);
+    ChromaRow row;
+    row.load(image.view(), 0);
+    for (const auto& [first, last] : {std::pair{0, 0}, {3, 4}, {7, 15}, {2, 600}, {690, 900}, {-4, 2}}) {
+        double y = 0.0, cb = 0.0, cr = 0.0;
+        int n = 0;
+        for (int i = std::max(first, 0); i <= std::min(last, row.pairs() - 1); ++i, ++n) {
+            y += static_cast<double>(row.at(i).y);
+            cb += static_cast<double>(row.at(i).cb);
+            cr += static_cast<double>(row.at(i).cr);
+        }
+        const Appearance mean = row.mean(first, last);
+        EXPECT_NEAR(static_cast<double>(mean.y), y / n, 1e-3) << first;
+        EXPECT_NEAR(static_cast<double>(mean.cb), cb / n, 1e-3) << first;
+        EXPECT_NEAR(static_cast<double>(mean.cr), cr / n, 1e-3) << first;
+    }
+    EXPECT_EQ(row.mean(5, 4).y, 0.F);
+}
+
+TEST(RowVectors, FindWhereTheGroundBeginsInEachColumn) {
+    std::mt19937 random(7);
+    for (const std::size_t columns : {1U, 15U, 37U}) {
+        constexpr std::size_t rows = 41;
+        std::vector<std::uint8_t> mask(rows * columns + row_margin, 0);
+        for (std::size_t i = 0; i < rows * columns; ++i)  // more of it farther down, and none in some columns
+            mask[i] = i % columns % 5 != 4 && random() % rows < i / columns ? 1 : 0;
+        on_each_vector_target([&] {
+            std::vector<std::uint8_t> found = mask;
+            std::vector<std::int32_t> begins(columns + row_margin);
+            find_ground(found.data(), rows, columns, begins.data());
+            for (std::size_t c = 0; c < columns; ++c) {
+                int sum = 0;
+                int most = 0;
+                std::size_t plain = rows;
+                for (std::size_t r = rows; r-- > 0;) {
+                    sum += mask[r * columns + c] != 0 ? 2 : -1;
+                    if (sum <= most) continue;
+                    most = sum;
+                    plain = r;
+                }
+                EXPECT_EQ(begins[c], static_cast<std::int32_t>(plain)) << c;
+                for (std::size_t r = 0; r < rows; ++r)
+                    EXPECT_EQ(found[r * columns + c], r < plain ? 0 : mask[r * columns + c]) << c << ' ' << r;
+            }
+        });
+    }
 }
 
 }  // namespace

@@ -267,6 +267,9 @@ void expect_whole_lines(const Segments& segments, const ScanLayout& layout) {
             const Segment& s = segments.segments[static_cast<std::size_t>(i)];
             ASSERT_EQ(s.start, start);
             ASSERT_GE(s.end, s.start);
+            if (i > line.first) {
+                ASSERT_NE(s.colour, segments.segments[static_cast<std::size_t>(i) - 1].colour);
+            }
             ASSERT_LE(std::abs(s.transition - static_cast<float>(s.start) + 0.5F), 1.2701F);
             start = s.end + 1;
         }
@@ -301,6 +304,20 @@ TEST(EdgeSegmenter, BearsSidesThatAreAlikeButForOnePair) {
         }
     }
     EXPECT_GT(edges, 20);
+}
+
+TEST(EdgeSegmenter, FindsAPostBeforeAChequeredWall) {
+    EdgeScene scene;
+    scene.stripes[0].width = 24.0;
+    scene.wall = [](double x, double y) {
+        const bool even = (static_cast<int>(x / 16.0) + static_cast<int>((y + 500.0) / 36.0)) % 2 == 0;
+        return even ? Shade{140.0, 2.0, 1.0} : grey;
+    };
+    const YuyvImage image = scene.draw();
+    EdgeSegmenter segmenter{EdgeSegmentationParameters{}};
+    const Found found = compare(segmenter.segment(image.view(), layout_for(image)), scene.stripes[0]);
+    EXPECT_GE(found.rows, 0.7 * rows_of(scene.stripes[0]));
+    EXPECT_LE(segmenter.strips().size(), 128U) << "however many squares there are";
 }
 
 TEST(EdgeSegmenter, CoversEveryLineFromEndToEnd) {

@@ -5,14 +5,13 @@
 #include "core/imaging/colour_table_file.h"
 #include "core/messaging/channels.h"
 #include "core/messaging/image_output.h"
-#include "core/messaging/memory_bus.h"
 #include "core/messaging/typed.h"
 #include "core/process/configuration.h"
 #include "tests/support/data.h"
 #include "tests/support/post_scene.h"
+#include "tests/support/segmentation_bus.h"
 
 #include <algorithm>
-#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -21,20 +20,13 @@ namespace {
 
 using namespace goalmouth::test;
 
-struct SegmentationModuleTest : testing::Test {
+struct SegmentationModuleTest : testing::Test, SegmentationBus {
     SegmentationModuleTest() {
         parameters.colours = (folder.path() / "table.gmct").string();
         save_colour_table(scene_table(), parameters.colours);
-        subscribe<segments_t>(hub.endpoint("listener"), channels::segments,
-                              [this](const segments_t& m) { heard.push_back(m); });
     }
     TemporaryFolder folder;
-    MemoryHub hub;
-    Status status;
-    ModuleContext context{hub.endpoint("segmentation"), status, "segmentation", 1, {}};
     SegmentationModule::Parameters parameters;
-    std::vector<segments_t> heard;
-    Bus& camera = hub.endpoint("camera");
 };
 
 TEST_F(SegmentationModuleTest, SegmentsEachFrameUnderItsStamp) {
@@ -101,14 +93,7 @@ TEST_F(SegmentationModuleTest, AdaptsItsTableFromTheTimeTheGainsHoldFor) {
 TEST_F(SegmentationModuleTest, SpacesLinesOnTheFieldOnceItKnowsTheCamera) {
     parameters.scan_lines.spacing = "field";
     SegmentationModule module(context, parameters);
-    publish(camera, channels::image, scene_message(0));
-    hub.run_until_idle();
-    publish(camera, channels::kinematics,
-            kinematics_message(camera_in_body(0.4, 0.0, 0.4), scene_message(1).utime, 1));
-    publish(camera, channels::image, scene_message(1));
-    hub.run_until_idle();
-    ASSERT_EQ(heard.size(), 2U);
-    EXPECT_NE(heard[0].line_position, heard[1].line_position);
+    expect_lines_on_the_field_once_the_camera_is_known(*this);
 }
 
 TEST_F(SegmentationModuleTest, IgnoresACameraPoseYoungerThanTheFrame) {

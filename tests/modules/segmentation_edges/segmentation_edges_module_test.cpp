@@ -1,17 +1,15 @@
 #include "modules/segmentation_edges/segmentation_edges_module.h"
 
-#include "core/conversion/camera_pose.h"
 #include "core/conversion/segments.h"
 #include "core/messaging/channels.h"
-#include "core/messaging/memory_bus.h"
 #include "core/messaging/typed.h"
 #include "core/messaging/validation.h"
 #include "core/process/configuration.h"
 #include "tests/support/post_scene.h"
+#include "tests/support/segmentation_bus.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -20,17 +18,8 @@ namespace {
 
 using namespace goalmouth::test;
 
-struct EdgeSegmentationModuleTest : testing::Test {
-    EdgeSegmentationModuleTest() {
-        subscribe<segments_t>(hub.endpoint("listener"), channels::segments,
-                              [this](const segments_t& m) { heard.push_back(m); });
-    }
-    MemoryHub hub;
-    Status status;
-    ModuleContext context{hub.endpoint("segmentation"), status, "segmentation", 1, {}};
+struct EdgeSegmentationModuleTest : testing::Test, SegmentationBus {
     EdgeSegmentationModule::Parameters parameters;
-    std::vector<segments_t> heard;
-    Bus& camera = hub.endpoint("camera");
 };
 
 TEST_F(EdgeSegmentationModuleTest, SegmentsEachFrameUnderItsStamp) {
@@ -69,14 +58,7 @@ TEST_F(EdgeSegmentationModuleTest, CountsFramesWithoutAField) {
 TEST_F(EdgeSegmentationModuleTest, SpacesLinesOnTheFieldOnceItKnowsTheCamera) {
     parameters.scan_lines.spacing = "field";
     EdgeSegmentationModule module(context, parameters);
-    publish(camera, channels::image, scene_message(0));
-    hub.run_until_idle();
-    publish(camera, channels::kinematics,
-            kinematics_message(camera_in_body(0.4, 0.0, 0.4), scene_message(1).utime, 1));
-    publish(camera, channels::image, scene_message(1));
-    hub.run_until_idle();
-    ASSERT_EQ(heard.size(), 2U);
-    EXPECT_NE(heard[0].line_position, heard[1].line_position);
+    expect_lines_on_the_field_once_the_camera_is_known(*this);
 }
 
 TEST_F(EdgeSegmentationModuleTest, DocumentsEveryParameterInItsFile) {
