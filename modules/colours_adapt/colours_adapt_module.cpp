@@ -1,5 +1,6 @@
 #include "modules/colours_adapt/colours_adapt_module.h"
 
+#include "core/colour_learning/field_search.h"
 #include "core/conversion/border.h"
 #include "core/conversion/colour_gains.h"
 #include "core/messaging/channels.h"
@@ -74,6 +75,10 @@ void ColoursAdaptModule::take(const border_t& message) {
     }
     if (!look) {
         context_.status.count("without_field", 1);
+        const auto found = tracker_.has_reference()
+                               ? search_field(frame->pixels, tracker_.reference(), parameters_.light)
+                               : std::nullopt;
+        if (found && tracker_.suspect(*found, message.utime)) say(message);
         return;
     }
     if (tracker_.follow(*look, message.utime)) say(message);
