@@ -72,6 +72,8 @@ ClippedColours::ClippedColours(const ColourTable& base, const ColourGains& gains
         const auto most = std::max_element(weights[i].begin(), weights[i].end());
         if (*most > 0.0) likeliest_[i] = static_cast<std::uint8_t>(most - weights[i].begin());
     }
+    const double grey = std::min(255.0, 255.0 / std::min({gains.red, gains.green, gains.blue}));
+    likeliest_.back() = static_cast<std::uint8_t>(class_of(base, {grey, grey, grey}));
 }
 
 std::optional<Colour> ClippedColours::at(const Rgb& seen) const {

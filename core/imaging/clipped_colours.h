@@ -16,7 +16,8 @@ namespace goalmouth {
 /// What colours stand for of which the light has driven a channel to its end. Many colours come to look like
 /// one then, and what that one was cannot be worked back. It gets the class that most of them have in the
 /// table. Those count less that would lie far beyond the end; unclassified ones that are not dull count only
-/// as much altogether as the classified: halls are dull, most other colours never occur.
+/// as much altogether as the classified: halls are dull, most other colours never occur. Where all three
+/// channels clip it is taken for the darkest grey that would.
 class ClippedColours {
   public:
     ClippedColours(const ColourTable& base, const ColourGains& gains);

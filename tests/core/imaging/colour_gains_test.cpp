@@ -87,6 +87,8 @@ TEST(AdaptedTable, KnowsWhatClips) {
     EXPECT_EQ(at(130, 255, 155), Colour::field);
     EXPECT_EQ(at(255, 255, 255), Colour::unclassified) << "any grey wall looks like that";
     EXPECT_EQ(at(120, 120, 255), Colour::unclassified);
+    EXPECT_EQ(adapted(things(), {1.1, 1.1, 1.1}).at({255, 128, 128}), Colour::line);
+    EXPECT_EQ(adapted(things(), {2.0, 3.0, 6.0}).at({255, 128, 128}), Colour::unclassified);
     // In warm light only red clips, and by little: orange is not yellow for that.
     const ColourTable warm = adapted(things(), {1.5, 1.0, 0.6});
     EXPECT_EQ(warm.at(ycbcr_from_bgr(cv::Vec3b(20, 184, 255))), Colour::goal);
