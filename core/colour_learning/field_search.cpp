@@ -12,7 +12,7 @@ namespace goalmouth {
 
 namespace {
 
-constexpr int step = 8;           // px between looked-at pixels
+constexpr int columns = 64;       // looked at, and rows as far apart
 constexpr double darkest = 0.15;  // brightness that is tried, over the reference's
 constexpr double brightest = 6.0;
 constexpr double brightness_ratio = 1.15;  // between those tried
@@ -25,7 +25,7 @@ constexpr double least_luma = 12.0;        // levels; in the dark all colours ar
 constexpr double least_chroma = 0.12;      // of luma; a duller colour may be a wall's
 constexpr double chroma_tolerance = 0.07;  // of luma
 constexpr double chroma_noise = 2.0;       // levels
-constexpr double luma_tolerance = 0.35;    // ln: vignetting, mottle and shadows
+constexpr double brighter = 1.42;          // × or ÷: vignetting, mottle and shadows
 
 struct Sample {
     Rgb rgb;
@@ -33,6 +33,7 @@ struct Sample {
 };
 
 std::vector<Sample> lower_half(YuyvView image) {
+    const int step = std::max(1, image.width / columns);
     std::vector<Sample> samples;
     for (int y = image.height / 2; y < image.height; y += step) {
         for (int x = step / 2; x < image.width; x += step) {
@@ -45,10 +46,11 @@ std::vector<Sample> lower_half(YuyvView image) {
 
 /// Whether a pixel is of that colour, but for its brightness.
 bool like(const LumaChroma& pixel, const LumaChroma& colour) {
-    if (pixel.y < 1.0 || std::abs(std::log(pixel.y / colour.y)) > luma_tolerance) return false;
+    if (pixel.y < 1.0 || pixel.y > brighter * colour.y || brighter * pixel.y < colour.y) return false;
     const double scale = pixel.y / colour.y;
-    const double off = std::hypot(pixel.cb - scale * colour.cb, pixel.cr - scale * colour.cr);
-    return off <= chroma_tolerance * pixel.y + chroma_noise;
+    const double cb = pixel.cb - scale * colour.cb, cr = pixel.cr - scale * colour.cr;
+    const double allowed = chroma_tolerance * pixel.y + chroma_noise;
+    return cb * cb + cr * cr <= allowed * allowed;
 }
 
 FieldLook look_of(const std::vector<Sample>& samples, const LumaChroma& colour) {

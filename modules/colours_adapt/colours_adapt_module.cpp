@@ -14,6 +14,7 @@ namespace goalmouth {
 namespace {
 
 constexpr std::size_t frames_kept = 10;
+constexpr std::int64_t search_interval = 250'000;  // µs: a search takes some milliseconds
 
 double largest_change(const ColourGains& a, const ColourGains& b) {
     return std::max(
@@ -59,6 +60,7 @@ void ColoursAdaptModule::take(const border_t& message) {
         table_ = base_;
         said_ = {};
         said_at_.reset();
+        searched_at_.reset();
     }
     latest_ = message.utime;
     // Whoever began to listen only now, or missed it, hears what holds.
@@ -75,14 +77,19 @@ void ColoursAdaptModule::take(const border_t& message) {
     }
     if (!look) {
         context_.status.count("without_field", 1);
-        const auto found = tracker_.has_reference()
-                               ? search_field(frame->pixels, tracker_.reference(), parameters_.light)
-                               : std::nullopt;
-        if (found && tracker_.suspect(*found, message.utime)) say(message);
+        search(*frame, message);
         return;
     }
     if (tracker_.follow(*look, message.utime)) say(message);
     context_.status.set("disbelieved", tracker_.disbelieved());
+}
+
+void ColoursAdaptModule::search(const Frame& frame, const border_t& message) {
+    if (!tracker_.has_reference()) return;
+    if (searched_at_ && message.utime - *searched_at_ < search_interval) return;
+    searched_at_ = message.utime;
+    const auto found = search_field(frame.pixels, tracker_.reference(), parameters_.light);
+    if (found && frame.still_valid() && tracker_.suspect(*found, message.utime)) say(message);
 }
 
 void ColoursAdaptModule::say(const border_t& message) {
