@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
     goalmouth::add_launch_verb(app, action);
     goalmouth::add_graph_verb(app, action);
     goalmouth::add_detect_verb(app, action);
+    goalmouth::add_compare_verb(app, action);
     goalmouth::add_evaluate_verb(app, action);
     goalmouth::add_bench_verb(app, action);
     goalmouth::add_colours_learn(*goalmouth::add_colours_verb(app, action), action);

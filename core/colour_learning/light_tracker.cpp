@@ -1,10 +1,12 @@
 #include "core/colour_learning/light_tracker.h"
 
+#include "core/colour_learning/level_counts.h"
 #include "core/imaging/rgb.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace goalmouth {
 
@@ -15,31 +17,12 @@ constexpr double below_border = 8.0;  // px: mixed pixels and the rim of the car
 constexpr double least_level = 8.0;   // a darker channel's ratio is noise
 constexpr double saturated = 250.0;   // a channel that clips says nothing
 
-/// Counts of levels.
-class Levels {
-  public:
-    void add(double level) {
-        ++counts_[static_cast<std::size_t>(std::clamp(std::lround(level), 0L, 255L))];
-        ++all_;
-    }
-    double median() const {
-        int below = 0;
-        std::size_t level = 0;
-        while (level < 255 && 2 * (below + counts_[level]) < all_) below += counts_[level++];
-        return static_cast<double>(level);
-    }
-
-  private:
-    std::array<int, 256> counts_{};
-    int all_ = 0;
-};
-
 }  // namespace
 
 std::optional<FieldLook> look_at_field(YuyvView image, const FieldBorder& border, const ColourTable& table,
                                        const LightTrackerParameters& parameters) {
     if (border.empty()) return std::nullopt;
-    std::array<Levels, 3> rgb;
+    std::array<LevelCounts, 3> rgb;
     int all = 0, below = 0, field = 0, taken = 0;
     for (int x = step / 2; x < image.width; x += step) {
         const double from = border.y_at(x) + below_border;
@@ -74,21 +57,50 @@ bool LightTracker::follow(const FieldLook& look, std::int64_t utime) {
     const double pull =
         parameters_.time_constant > 0.0 ? 1.0 - std::exp(-elapsed / parameters_.time_constant) : 1.0;
     last_ = std::max(last_, utime);
-
-    const std::array<double*, 3> gains = {&gains_.red, &gains_.green, &gains_.blue};
-    std::array<double, 3> wanted{};
-    for (int c = 0; c < 3; ++c) {
-        const double now = *gains[static_cast<std::size_t>(c)];
-        const double ratio = look.rgb[c] / std::max(reference_[c], least_level);
-        const bool says_something = reference_[c] >= least_level && look.rgb[c] < saturated;
-        wanted[static_cast<std::size_t>(c)] =
-            std::clamp(says_something ? ratio : now, parameters_.lowest, parameters_.highest);
-        if (std::abs(wanted[static_cast<std::size_t>(c)] - now) > parameters_.largest_step * now) {
-            ++disbelieved_;
-            return false;
-        }
+    if (!move(look, pull, parameters_.largest_step)) {
+        ++disbelieved_;
+        return suspect(look, utime);
     }
-    for (std::size_t c = 0; c < 3; ++c) *gains[c] += pull * (wanted[c] - *gains[c]);
+    suspected_.reset();
+    return true;
+}
+
+bool LightTracker::suspect(const FieldLook& look, std::int64_t utime) {
+    if (!has_reference()) return false;
+    const auto seconds_since = [&](std::int64_t then) { return static_cast<double>(utime - then) * 1e-6; };
+    const auto agrees = [&](const Suspicion& s) {
+        return (look.rgb.array() <= s.rgb.array() * (1.0 + parameters_.largest_step) + 1.0).all() &&
+               (look.rgb.array() >= s.rgb.array() / (1.0 + parameters_.largest_step) - 1.0).all();
+    };
+    if (!suspected_ || seconds_since(suspected_->last) > parameters_.jump_after || !agrees(*suspected_))
+        suspected_ = Suspicion{look.rgb, utime, utime};
+    suspected_->rgb = look.rgb;
+    suspected_->last = utime;
+    if (seconds_since(suspected_->first) < parameters_.jump_after) return false;
+    suspected_.reset();
+    return move(look, 1.0, std::numeric_limits<double>::infinity());
+}
+
+bool LightTracker::move(const FieldLook& look, double pull, double largest_step) {
+    const std::array<double*, 3> gains = {&gains_.red, &gains_.green, &gains_.blue};
+    std::array<double, 3> step{};  // wanted over present gain
+    double sum = 0.0;
+    int speaking = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto i = static_cast<Eigen::Index>(c);
+        if (reference_[i] < least_level || look.rgb[i] >= saturated) continue;
+        step[c] = look.rgb[i] / reference_[i] / *gains[c];
+        sum += std::log(std::max(step[c], 1e-6));
+        ++speaking;
+    }
+    if (speaking == 0) return false;
+    for (std::size_t c = 0; c < 3; ++c) {
+        // A channel that says nothing goes with the others.
+        if (step[c] <= 0.0) step[c] = std::exp(sum / speaking);
+        step[c] = std::clamp(*gains[c] * step[c], parameters_.lowest, parameters_.highest) / *gains[c];
+        if (std::abs(step[c] - 1.0) > largest_step) return false;
+    }
+    for (std::size_t c = 0; c < 3; ++c) *gains[c] *= 1.0 + pull * (step[c] - 1.0);
     return true;
 }
 

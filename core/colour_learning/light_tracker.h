@@ -19,8 +19,9 @@ struct LightTrackerParameters {
     int reference_looks = 10;
     double time_constant = 1.0;
     double largest_step = 0.35;
-    double lowest = 0.2;
-    double highest = 5.0;
+    double jump_after = 1.5;
+    double lowest = 0.05;
+    double highest = 10.0;
 };
 
 template <class Visitor>
@@ -33,8 +34,9 @@ void describe_parameters(Visitor& v, LightTrackerParameters& p) {
       "looks at the start from which the field's colour is taken that belongs to the table");
     v("time_constant", p.time_constant, Range{0, 1000}, "s", "how slowly the gains follow; 0: at once");
     v("largest_step", p.largest_step, Range{0.01, 10}, "1",
-      "looks whose gains differ by a larger share from those in force are not believed: light changes "
-      "slowly");
+      "looks whose gains differ by a larger share from those in force are not believed at first");
+    v("jump_after", p.jump_after, Range{0.1, 3600}, "s",
+      "but once they have agreed with each other for so long: a lamp was switched");
     v("lowest", p.lowest, Range{0.05, 1}, "1", "gains never fall below this");
     v("highest", p.highest, Range{1, 20}, "1", "gains never rise above this");
 }
@@ -50,9 +52,9 @@ struct FieldLook {
 std::optional<FieldLook> look_at_field(YuyvView image, const FieldBorder& border, const ColourTable& table,
                                        const LightTrackerParameters& parameters);
 
-/// Follows slow changes of light by the field's look. The first looks say what belongs to the table; from
-/// then on each look's ratio to them pulls the gains towards itself. A frame without a look changes nothing,
-/// however long that lasts.
+/// Follows changes of light by the field's look. The first looks say what belongs to the table; from then on
+/// each look's ratio to them pulls the gains towards itself. What differs much is believed only once it has
+/// lasted. A frame without a look changes nothing, however long that lasts.
 class LightTracker {
   public:
     explicit LightTracker(const LightTrackerParameters& parameters) : parameters_(parameters) {}
@@ -60,17 +62,29 @@ class LightTracker {
     /// In order of time; a look that is not younger than the last one counts as the same moment. Returns
     /// whether the gains moved.
     bool follow(const FieldLook& look, std::int64_t utime);
+    /// The same for what may be the field (search_field()): believed only once such looks have agreed for
+    /// `jump_after`.
+    bool suspect(const FieldLook& look, std::int64_t utime);
 
     const ColourGains& gains() const { return gains_; }
     bool has_reference() const { return looks_ >= parameters_.reference_looks; }
+    const Eigen::Vector3d& reference() const { return reference_; }  // levels, once there is one
     int disbelieved() const { return disbelieved_; }
 
   private:
+    struct Suspicion {
+        Eigen::Vector3d rgb;       // the last look
+        std::int64_t first, last;  // µs
+    };
+    /// By `pull` of the way to what the look says, unless that differs by more than `largest_step`.
+    bool move(const FieldLook& look, double pull, double largest_step);
+
     LightTrackerParameters parameters_;
     Eigen::Vector3d reference_ = Eigen::Vector3d::Zero();  // mean of the first looks
     int looks_ = 0;
     int disbelieved_ = 0;
     std::int64_t last_ = 0;  // µs
+    std::optional<Suspicion> suspected_;
     ColourGains gains_;
 };
 

@@ -86,13 +86,27 @@ PostSight CellRenderer::sight_in(const Shot& shot) {
 }
 
 CellFrame CellRenderer::render(int cell, int index) {
+    return draw(cell, index, std::nullopt);
+}
+
+CellFrame CellRenderer::render_in(const FrameLight& light, int cell, int index) {
+    return draw(cell, index, light);
+}
+
+CellFrame CellRenderer::draw(int cell, int index, const std::optional<FrameLight>& light) {
     const std::int64_t number = frame_number(cell, index);
     CellFrame frame;
     frame.view =
         draw_view(random_for("view", number), scene_.parameters, field_, evaluation_cell(cell), camera());
     renderer_.change_scene(draw_hall(frame.view, number));
     Random noise = random_for("noise", number);
-    const Shot shot{frame.view.camera, exposure_.gains(frame.view.time)};
+    if (light) frame.view.time = light->time;
+    Shot shot{frame.view.camera, exposure_.gains(frame.view.time)};
+    if (light) {
+        shot.gains.r *= light->factors.r;
+        shot.gains.g *= light->factors.g;
+        shot.gains.b *= light->factors.b;
+    }
     frame.image = renderer_.render(shot, noise);
     frame.kinematics =
         measured_pose(frame.view.camera.T_WC, scene_.parameters.kinematics, random_for("kinematics", number));
@@ -105,7 +119,7 @@ CellFrame CellRenderer::render(int cell, int index) {
         const auto outline = visible_outline(truth, edges, camera(), rule);
         if (!outline) continue;
         frame.posts.push_back({truth, *outline});
-        if (truth.id == post_in_line && outline->counts) frame.sight = sight_in(shot);
+        if (truth.id == post_in_line && outline->counts && !light) frame.sight = sight_in(shot);
     }
     return frame;
 }

@@ -46,6 +46,12 @@ struct CellFrame {
     std::vector<ReferencePost> outlines() const;
 };
 
+/// The hall's light and the camera's exposure at the moment of a frame, over what the scene says of them.
+struct FrameLight {
+    Rgb factors{1.0F, 1.0F, 1.0F};  // of the hall's red, green and blue light, before noise and clipping
+    double time = 0.0;              // s, when exposure and white balance are looked up
+};
+
 /// Draws the frames of the paper's experiment in one scene. Each is a function of (seed, scene, camera, cell,
 /// index) alone, so that any of them can be drawn again. Not for more than one thread at a time.
 class CellRenderer {
@@ -57,12 +63,15 @@ class CellRenderer {
 
     /// cell 0 … cell_count − 1, index 0 … most_frames_per_cell − 1.
     CellFrame render(int cell, int index);
+    /// The same view of the same hall in another light, without `sight`.
+    CellFrame render_in(const FrameLight& light, int cell, int index);
 
     const Intrinsics& camera() const { return renderer_.camera(); }  // as it is, not as detectors are told
 
   private:
     Random random_for(const char* purpose, std::int64_t number) const;
     Scene draw_hall(const CellView& view, std::int64_t number) const;
+    CellFrame draw(int cell, int index, const std::optional<FrameLight>& light);
     PostSight sight_in(const Shot& shot);  // of the post in line, in the renderer's hall
 
     EvaluationScene scene_;

@@ -19,7 +19,8 @@ inline constexpr double least_gain = 0.05;
 inline constexpr double largest_gain = 20.0;
 
 /// The table that has for a surface's colour under these gains the class that `base` has for it without.
-/// Gains of 1 give `base` itself.
+/// Where a channel clips, it is the class that most likely came to look like that (ClippedColours). A bit
+/// finer than `base`, up to 7, where a channel became much darker. Gains of 1 give `base` itself.
 ColourTable adapted(const ColourTable& base, const ColourGains& gains);
 
 }  // namespace goalmouth

@@ -1,5 +1,6 @@
 #include "modules/colours_adapt/colours_adapt_module.h"
 
+#include "core/colour_learning/field_search.h"
 #include "core/conversion/border.h"
 #include "core/conversion/colour_gains.h"
 #include "core/messaging/channels.h"
@@ -13,6 +14,7 @@ namespace goalmouth {
 namespace {
 
 constexpr std::size_t frames_kept = 10;
+constexpr std::int64_t search_interval = 250'000;  // µs: a search takes some milliseconds
 
 double largest_change(const ColourGains& a, const ColourGains& b) {
     return std::max(
@@ -58,6 +60,7 @@ void ColoursAdaptModule::take(const border_t& message) {
         table_ = base_;
         said_ = {};
         said_at_.reset();
+        searched_at_.reset();
     }
     latest_ = message.utime;
     // Whoever began to listen only now, or missed it, hears what holds.
@@ -74,10 +77,19 @@ void ColoursAdaptModule::take(const border_t& message) {
     }
     if (!look) {
         context_.status.count("without_field", 1);
+        search(*frame, message);
         return;
     }
     if (tracker_.follow(*look, message.utime)) say(message);
     context_.status.set("disbelieved", tracker_.disbelieved());
+}
+
+void ColoursAdaptModule::search(const Frame& frame, const border_t& message) {
+    if (!tracker_.has_reference()) return;
+    if (searched_at_ && message.utime - *searched_at_ < search_interval) return;
+    searched_at_ = message.utime;
+    const auto found = search_field(frame.pixels, tracker_.reference(), parameters_.light);
+    if (found && frame.still_valid() && tracker_.suspect(*found, message.utime)) say(message);
 }
 
 void ColoursAdaptModule::say(const border_t& message) {

@@ -33,6 +33,7 @@ class ColoursAdaptModule : public Module {
 
   private:
     void take(const border_t& message);
+    void search(const Frame& frame, const border_t& message);
     void say(const border_t& message);
     void publish_gains(const border_t& message);
 
@@ -42,8 +43,9 @@ class ColoursAdaptModule : public Module {
     ColourTable table_;  // base_ under said_
     LightTracker tracker_;
     ColourGains said_;
-    std::optional<std::int64_t> said_at_;  // µs
-    std::optional<std::int64_t> latest_;   // µs
+    std::optional<std::int64_t> said_at_;      // µs
+    std::optional<std::int64_t> searched_at_;  // µs
+    std::optional<std::int64_t> latest_;       // µs
     KeptFrames frames_;
     ImageInput images_;
 };

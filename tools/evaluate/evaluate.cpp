@@ -2,6 +2,7 @@
 
 #include "tools/evaluate/colour_matrix.h"
 #include "tools/evaluate/images.h"
+#include "tools/evaluate/light.h"
 #include "tools/evaluate/localisation.h"
 
 namespace goalmouth {
@@ -15,6 +16,7 @@ void add_evaluate_verb(CLI::App& app, Action& action) {
     add_evaluate_localisation(*verb, action);
     add_evaluate_images(*verb, action);
     add_evaluate_colours(*verb, action);
+    add_evaluate_light(*verb, action);
     add_evaluate_merge(*verb, action);
 }
 

@@ -21,9 +21,10 @@ namespace goalmouth {
 /// What a detector gets of a frame.
 struct DetectorInput {
     YuyvView image;
-    std::int64_t seq = 0;                  // what it draws at random follows from this number
-    Intrinsics told;                       // what it may believe of the camera
-    std::optional<CameraPose> kinematics;  // what the robot measured of the camera's pose
+    std::int64_t seq = 0;                    // what it draws at random follows from this number
+    Intrinsics told;                         // what it may believe of the camera
+    std::optional<CameraPose> kinematics;    // what the robot measured of the camera's pose
+    std::optional<std::int64_t> utime = {};  // µs, later than the frame before; else a second after that
 };
 
 DetectorInput input_of(const CellFrame& frame, std::int64_t seq);

@@ -98,8 +98,9 @@ EvaluationScene load_evaluation_scene(const std::string& name_or_file) {
 }
 
 Detector chain_detector(const std::string& graph, const std::vector<std::string>& settings,
-                        const PaperOptions& options) {
+                        const PaperOptions& options, bool carry_over) {
     ImageChainOptions chain;
+    chain.carry_over = carry_over;
     chain.graph = graph;
     chain.settings = settings;
     chain.camera = given_or(options.camera, "--camera", "cameras/c905.yaml");
@@ -114,6 +115,7 @@ Detector chain_detector(const std::string& graph, const std::vector<std::string>
                     frame.seq = input.seq;
                     frame.camera = input.told;
                     frame.kinematics = input.kinematics;
+                    frame.utime = input.utime;
                     return stages->run(frame).posts;
                 };
             }};

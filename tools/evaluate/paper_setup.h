@@ -24,8 +24,8 @@ PaperSetup set_up_paper(const PaperOptions& options);
 EvaluationScene load_evaluation_scene(const std::string& name_or_file);
 
 /// A graph, by its name in config/graphs or its file, as a detector. `settings` are those of options.settings
-/// that the graph has a parameter for.
+/// that the graph has a parameter for; `carry_over` as in ImageChainOptions.
 Detector chain_detector(const std::string& graph, const std::vector<std::string>& settings,
-                        const PaperOptions& options);
+                        const PaperOptions& options, bool carry_over = false);
 
 }  // namespace goalmouth

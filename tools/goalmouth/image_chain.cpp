@@ -9,6 +9,7 @@
 #include "core/conversion/pose.h"
 #include "core/conversion/posts.h"
 #include "core/conversion/refinement.h"
+#include "core/conversion/segments.h"
 #include "core/messaging/channels.h"
 #include "core/messaging/image_output.h"
 #include "core/messaging/memory_bus.h"
@@ -28,6 +29,7 @@
 #include <goalmouth/pose_t.hpp>
 #include <goalmouth/posts_t.hpp>
 #include <goalmouth/refinement_t.hpp>
+#include <goalmouth/segments_t.hpp>
 
 namespace goalmouth {
 namespace {
@@ -64,7 +66,7 @@ void wait_for_nothing(std::vector<GraphProcess>& stages) {
 
 /// The processes between pictures and messages of type `result`: those that publish it, and whatever they get
 /// their messages from, up to the source of the pictures, which is left out.
-std::vector<GraphProcess> stages_to(const std::string& result, const Graph& graph) {
+std::vector<GraphProcess> stages_to(const std::string& result, const Graph& graph, bool carry_over = false) {
     std::set<std::string> wanted;  // channels
     std::vector<bool> taken(graph.processes.size(), false);
     for (bool grew = true; grew;) {
@@ -81,7 +83,7 @@ std::vector<GraphProcess> stages_to(const std::string& result, const Graph& grap
             taken[i] = grew = true;
             for (const ChannelUse& use : info.subscribes) {
                 // What is optional may carry something over from one picture to the next.
-                if (use.optional) continue;
+                if (use.optional && !carry_over) continue;
                 if (use.type != "image_t" && use.type != result) wanted.insert(process.channel(use.channel));
             }
         }
@@ -213,6 +215,7 @@ bool ImageChain::State::goes_on(const std::string& channel) const {
 }
 
 void ImageChain::State::listen() {
+    hear<segments_t>("segments_t", [this](const segments_t& m) { result.segments = from_message(m); });
     hear<border_t>("border_t", [this](const border_t& m) { result.border = from_message(m); });
     hear<candidates_t>("candidates_t",
                        [this](const candidates_t& m) { result.candidates = from_message(m); });
@@ -241,7 +244,7 @@ ImageChain::ImageChain(const ImageChainOptions& options) : state_(std::make_uniq
     Graph graph = load_graph(options.graph, graph_options);
     graph.seed = options.seed.value_or(graph.seed);
     const bool to_pose = options.end == ChainEnd::pose;
-    std::vector<GraphProcess> stages = stages_to(to_pose ? "pose_t" : "posts_t", graph);
+    std::vector<GraphProcess> stages = stages_to(to_pose ? "pose_t" : "posts_t", graph, options.carry_over);
     if (stages.empty()) {
         throw ConfigurationError(graph.file.string() + ": no process of this graph finds " +
                                  (to_pose ? "the robot's pose" : "goalposts"));

@@ -8,6 +8,7 @@
 #include "core/localisation/belief.h"
 #include "core/localisation/frame_aligner.h"
 #include "core/refinement/refined_post.h"
+#include "core/segmentation/segments.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -24,6 +25,7 @@ namespace goalmouth {
 /// What a graph made of one picture.
 struct ImageResult {
     Intrinsics camera;  // used, at the picture's size
+    Segments segments;
     FieldBorder border;
     Candidates candidates;
     /// Of all detectors of the graph, as they leave it: refined where the graph refines.
@@ -48,6 +50,9 @@ struct ImageChainOptions {
     std::optional<std::uint64_t> seed;      // in place of the graph's
     ChainEnd end = ChainEnd::posts;
     bool refine = true;  // false: posts as their detector says, though the graph refines them
+    /// Also what others hear without needing it, such as colours that follow the light: then what a chain
+    /// says of a picture depends on those before.
+    bool carry_over = false;
 };
 
 /// Whether a chain to posts has a stage that labels pixels by a colour table; `graph` as in
@@ -67,7 +72,8 @@ struct ChainFrame {
 
 /// The part of a graph that leads from pictures to goalposts, or on to the robot's pose, as module objects on
 /// a bus in memory: what the processes would do, in one process and without drops. What a chain says of
-/// posts does not depend on the pictures before; the pose does, and a new chain starts anew.
+/// posts does not depend on the pictures before unless it carries over; the pose does, and a new chain starts
+/// anew.
 class ImageChain {
   public:
     /// Throws ConfigurationError, also where the graph has a stage whose program is not ours or finds no

@@ -1,5 +1,7 @@
 #include "tools/goalmouth/overlay.h"
 
+#include "core/imaging/colour_picture.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -88,6 +90,24 @@ std::string text_of(const Post& post) {
 }
 
 }  // namespace
+
+void draw_segments(cv::Mat& picture, const Segments& segments) {
+    picture.setTo(cv::Scalar::all(0));
+    // Rows alone cover the picture; columns are the same pixels again.
+    std::vector<const ScanLine*> rows;
+    for (const ScanLine& each : segments.lines)
+        if (each.orientation == Orientation::horizontal) rows.push_back(&each);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const int y = rows[i]->position;
+        const int next = i + 1 < rows.size() ? rows[i + 1]->position : picture.rows;
+        const int height = std::max(1, next - y - 1);
+        for (int k = 0; k < rows[i]->count; ++k) {
+            const Segment& s = segments.segments[static_cast<std::size_t>(rows[i]->first + k)];
+            const cv::Rect area(s.start, y, s.length(), height);
+            picture(area & cv::Rect(0, 0, picture.cols, picture.rows)).setTo(display_colour(s.colour));
+        }
+    }
+}
 
 void draw_border(cv::Mat& picture, const FieldBorder& border) {
     for (std::size_t i = 1; i < border.hull.size(); ++i) {

@@ -3,6 +3,7 @@
 #include "core/detection/post.h"
 #include "core/extraction/border.h"
 #include "core/extraction/candidates.h"
+#include "core/segmentation/segments.h"
 
 #include <vector>
 
@@ -12,6 +13,10 @@ namespace goalmouth {
 
 // What was found, drawn into the picture it was found in (BGR, 8 bits). Line widths and letters grow with the
 // picture.
+
+/// Over all that was in the picture: the segments of its rows in their classes' colours, as wide as the rows
+/// are apart but for a dark line between them.
+void draw_segments(cv::Mat& picture, const Segments& segments);
 
 /// The field's border, with its points.
 void draw_border(cv::Mat& picture, const FieldBorder& border);

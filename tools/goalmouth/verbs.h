@@ -14,6 +14,7 @@ using Action = std::function<int()>;
 void add_bench_verb(CLI::App& app, Action& action);
 /// Its subcommands can be added to.
 CLI::App* add_colours_verb(CLI::App& app, Action& action);
+void add_compare_verb(CLI::App& app, Action& action);
 void add_detect_verb(CLI::App& app, Action& action);
 void add_graph_verb(CLI::App& app, Action& action);
 void add_launch_verb(CLI::App& app, Action& action);

@@ -55,6 +55,51 @@ TEST(AdaptedTable, AnswersForTheColourUnderTheGainsAsBefore) {
     }
 }
 
+/// Yellow, orange, green and white things, each with some range about them.
+ColourTable things() {
+    ColourTable table(6);
+    const auto paint = [&](const cv::Vec3d& rgb, Colour colour) {
+        for (double brightness = 0.4; brightness <= 1.05; brightness += 0.01)
+            for (int r = -24; r <= 24; r += 3)
+                for (int g = -24; g <= 24; g += 3)
+                    for (int b = -12; b <= 12; b += 3)
+                        table.set(ycbcr_from_bgr(
+                                      cv::Vec3b(cv::saturate_cast<std::uint8_t>(brightness * (rgb[2] + b)),
+                                                cv::saturate_cast<std::uint8_t>(brightness * (rgb[1] + g)),
+                                                cv::saturate_cast<std::uint8_t>(brightness * (rgb[0] + r)))),
+                                  colour);
+    };
+    paint({228, 96, 28}, Colour::ball);
+    paint({226, 184, 34}, Colour::goal);
+    paint({52, 122, 62}, Colour::field);
+    for (int y = 190; y < 256; ++y) table.set({static_cast<std::uint8_t>(y), 128, 128}, Colour::line);
+    return table;
+}
+
+TEST(AdaptedTable, KnowsWhatClips) {
+    const ColourTable table = adapted(things(), {3.0, 3.0, 3.0});
+    const auto at = [&](int r, int g, int b) {
+        return table.at(ycbcr_from_bgr(cv::Vec3b(static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(g),
+                                                 static_cast<std::uint8_t>(r))));
+    };
+    EXPECT_EQ(at(255, 255, 102), Colour::goal);
+    EXPECT_EQ(at(156, 255, 186), Colour::field);
+    EXPECT_EQ(at(130, 255, 155), Colour::field);
+    EXPECT_EQ(at(255, 255, 255), Colour::unclassified) << "any grey wall looks like that";
+    EXPECT_EQ(at(120, 120, 255), Colour::unclassified);
+    EXPECT_EQ(adapted(things(), {1.1, 1.1, 1.1}).at({255, 128, 128}), Colour::line);
+    EXPECT_EQ(adapted(things(), {2.0, 3.0, 6.0}).at({255, 128, 128}), Colour::unclassified);
+    // In warm light only red clips, and by little: orange is not yellow for that.
+    const ColourTable warm = adapted(things(), {1.5, 1.0, 0.6});
+    EXPECT_EQ(warm.at(ycbcr_from_bgr(cv::Vec3b(20, 184, 255))), Colour::goal);
+}
+
+TEST(AdaptedTable, IsFinerInTheDark) {
+    EXPECT_EQ(adapted(ColourTable(6), {0.5, 0.5, 0.5}).bits(), 7);
+    EXPECT_EQ(adapted(ColourTable(6), {0.9, 0.9, 0.9}).bits(), 6);
+    EXPECT_EQ(adapted(ColourTable(8), {0.5, 0.5, 0.5}).bits(), 8);
+}
+
 TEST(AdaptedTable, WithoutAChangeIsTheTable) {
     ColourTable base(6, "t");
     base.set({10, 20, 30}, Colour::ball);

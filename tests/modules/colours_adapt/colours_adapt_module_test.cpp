@@ -255,12 +255,25 @@ TEST_F(ColoursAdapt, FrozenItSaysNothing) {
     EXPECT_TRUE(robot.said.empty());
 }
 
-TEST_F(ColoursAdapt, WhatChangesAtOnceIsNotLight) {
+TEST_F(ColoursAdapt, WhatIsSoonOverIsNotLight) {
     Robot robot(table(), true);
     for (int i = 0; i < 15; ++i) robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], {}));
-    for (int i = 0; i < 60; ++i)
-        robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], {1.6, 1.6, 1.6}));
+    for (int round = 0; round < 5; ++round) {
+        for (int i = 0; i < 10; ++i)
+            robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], {1.6, 1.6, 1.6}));
+        for (int i = 0; i < 5; ++i) robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], {}));
+    }
     EXPECT_TRUE(robot.said.empty());
+}
+
+TEST_F(ColoursAdapt, ALampThatWasSwitchedIsFollowed) {
+    for (const test::Light& light :
+         {test::Light{1.6, 1.6, 1.6}, test::Light{0.5, 0.5, 0.5}, test::Light{0.3, 0.25, 0.2}}) {
+        Robot robot(table(), true);
+        for (int i = 0; i < 15; ++i) robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], {}));
+        for (int i = 0; i < 50; ++i) robot.sees(lit(venue().bgr[static_cast<std::size_t>(i) % views], light));
+        EXPECT_GE(found_in(robot, light), 0.9) << light.green;
+    }
 }
 
 /// Real pictures, made darker, brighter, warmer and colder by degrees; three show no field at all. Found are
