@@ -47,7 +47,8 @@ struct Detect : testing::Test {
     /// Exit code of `goalmouth detect` with the scene's graph and table.
     int run(std::vector<std::string> arguments, std::string target = {}) const {
         if (target.empty()) target = path("out.json");
-        arguments.insert(arguments.begin(), {"detect", "--colours", path("table.gmct"), "--json", target});
+        arguments.insert(arguments.begin(), {"detect", "--json", target});
+        if (with_table) arguments.insert(arguments.end(), {"--colours", path("table.gmct")});
         if (std::find(arguments.begin(), arguments.end(), "--graph") == arguments.end())
             arguments.insert(arguments.end(), {"--graph", path("graph.yaml")});
         CLI::App app;
@@ -60,6 +61,7 @@ struct Detect : testing::Test {
     json report() const { return json::parse(std::ifstream(path("out.json"))); }
 
     TemporaryFolder folder;
+    bool with_table = true;
 };
 
 TEST_F(Detect, ReportsPostBorderAndTimes) {
@@ -104,6 +106,16 @@ TEST_F(Detect, RefinesWhereTheGraphDoesUnlessToldNotTo) {
     EXPECT_FALSE(plain["posts"][0].contains("refinement"));
     EXPECT_FALSE(report()[0]["milliseconds"].contains("refinement"));
     EXPECT_GT(plain["posts"][0]["sigma_m"].get<double>(), post["sigma_m"].get<double>());
+}
+
+TEST_F(Detect, RefinesPostsFoundByEdgesAlone) {
+    with_table = false;
+    ASSERT_EQ(run({path("lifelike.yuyv"), "--size", "320x240", "--graph", "edges_refined"}), 0);
+    ASSERT_EQ(report()[0]["posts"].size(), 1U);
+    const json post = report()[0]["posts"][0];
+    EXPECT_TRUE(post["refined"].get<bool>()) << post["refinement"]["reason"];
+    EXPECT_NEAR(post["left"][1][0].get<double>(), 149.5, 0.3);
+    EXPECT_NEAR(post["right"][1][0].get<double>(), 165.5, 0.3);
 }
 
 TEST_F(Detect, OfAPictureDoesNotDependOnThoseBeforeWhenRefining) {

@@ -2,9 +2,9 @@
 
 #include "core/process/configuration.h"
 #include "tools/evaluate/command_line.h"
-#include "tools/evaluate/interrupt.h"
 #include "tools/evaluate/paper.h"
 #include "tools/evaluate/progress.h"
+#include "tools/goalmouth/interrupt.h"
 #include "tools/goalmouth/output.h"
 
 #include <algorithm>
