@@ -15,7 +15,9 @@ namespace {
 constexpr int step = 4;               // px between looked-at pixels
 constexpr double below_border = 8.0;  // px: mixed pixels and the rim of the carpet stay out
 constexpr double least_level = 8.0;   // a darker channel's ratio is noise
-constexpr double saturated = 250.0;   // a channel that clips says nothing
+constexpr double saturated = 250.0;   // a channel that clips says no more than that
+constexpr double least_seen = 2.0;  // level: by how much one has fallen that is as good as black nobody knows
+constexpr double longest_gap = 1.0;  // s: looks that are farther apart need not be of one light
 
 }  // namespace
 
@@ -72,7 +74,8 @@ bool LightTracker::suspect(const FieldLook& look, std::int64_t utime) {
         return (look.rgb.array() <= s.rgb.array() * (1.0 + parameters_.largest_step) + 1.0).all() &&
                (look.rgb.array() >= s.rgb.array() / (1.0 + parameters_.largest_step) - 1.0).all();
     };
-    if (!suspected_ || seconds_since(suspected_->last) > parameters_.jump_after || !agrees(*suspected_))
+    if (!suspected_ || seconds_since(suspected_->last) > std::max(longest_gap, parameters_.jump_after) ||
+        !agrees(*suspected_))
         suspected_ = Suspicion{look.rgb, utime, utime};
     suspected_->rgb = look.rgb;
     suspected_->last = utime;
@@ -83,20 +86,30 @@ bool LightTracker::suspect(const FieldLook& look, std::int64_t utime) {
 
 bool LightTracker::move(const FieldLook& look, double pull, double largest_step) {
     const std::array<double*, 3> gains = {&gains_.red, &gains_.green, &gains_.blue};
-    std::array<double, 3> step{};  // wanted over present gain
+    std::array<double, 3> step{};   // wanted over present gain
+    std::array<double, 3> least{};  // of a channel that says nothing else
+    std::array<bool, 3> speaks{};
     double sum = 0.0;
     int speaking = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         const auto i = static_cast<Eigen::Index>(c);
-        if (reference_[i] < least_level || look.rgb[i] >= saturated) continue;
-        step[c] = look.rgb[i] / reference_[i] / *gains[c];
-        sum += std::log(std::max(step[c], 1e-6));
+        if (reference_[i] < least_level) continue;
+        const double seen = std::min(look.rgb[i], saturated) / reference_[i] / *gains[c];
+        if (look.rgb[i] >= saturated) {
+            least[c] = seen;
+            continue;
+        }
+        speaks[c] = true;
+        step[c] = seen;
+        if (look.rgb[i] < least_seen) continue;
+        sum += std::log(seen);
         ++speaking;
     }
-    if (speaking == 0) return false;
+    if (std::none_of(speaks.begin(), speaks.end(), [](bool s) { return s; })) return false;
+    const double usual = speaking > 0 ? std::exp(sum / speaking) : 1.0;
     for (std::size_t c = 0; c < 3; ++c) {
-        // A channel that says nothing goes with the others.
-        if (step[c] <= 0.0) step[c] = std::exp(sum / speaking);
+        // A channel that says nothing goes with the others, one that clips at least as far as to clip.
+        if (!speaks[c]) step[c] = std::max(usual, least[c]);
         step[c] = std::clamp(*gains[c] * step[c], parameters_.lowest, parameters_.highest) / *gains[c];
         if (std::abs(step[c] - 1.0) > largest_step) return false;
     }

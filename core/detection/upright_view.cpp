@@ -14,12 +14,13 @@ bool usable(const UprightRay& ray) {
     return std::isfinite(ray.azimuth) && std::abs(ray.slope) < steepest;
 }
 
-/// A picture shows hundreds of edge points; of noise that many more come evenly.
-void thin(std::vector<UprightPoint>& points) {
+/// A picture shows hundreds of edge points and of stretches of a colour; of noise that many more come evenly.
+template <class Item>
+void thin(std::vector<Item>& items) {
     constexpr std::size_t most = 4000;
-    if (points.size() <= most) return;
-    for (std::size_t i = 0; i < most; ++i) points[i] = points[i * points.size() / most];
-    points.resize(most);
+    if (items.size() <= most) return;
+    for (std::size_t i = 0; i < most; ++i) items[i] = items[i * items.size() / most];
+    items.resize(most);
 }
 
 }  // namespace
@@ -78,11 +79,13 @@ void UprightCandidates::take(const Candidates& candidates, const UprightView& vi
         if (usable(start) && usable(end))
             runs.push_back({start, end, row_at(s.line), s.start <= 0, s.end >= candidates.width - 1});
     }
+    thin(runs);
     field.clear();
     for (const FieldRun& f : candidates.field) {
         const UprightRay start = view.ray({f.start - 0.5, f.line}), end = view.ray({f.end + 0.5, f.line});
         if (usable(start) && usable(end)) field.push_back({start, end, row_at(f.line), false, false});
     }
+    thin(field);
 }
 
 void UprightCandidates::find_rows(const Candidates& candidates) {

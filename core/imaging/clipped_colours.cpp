@@ -34,7 +34,8 @@ std::size_t ClippedColours::bin(double level) {
 }
 
 ClippedColours::ClippedColours(const ColourTable& base, const ColourGains& gains)
-    : likeliest_(bins * bins * bins, static_cast<std::uint8_t>(colour_count)) {
+    : driven_{255.0 / gains.red < clipped, 255.0 / gains.green < clipped, 255.0 / gains.blue < clipped},
+      likeliest_(bins * bins * bins, static_cast<std::uint8_t>(colour_count)) {
     // For each level that is tried of a channel: where it comes to lie, and how much it counts.
     struct Seen {
         std::size_t bin;
@@ -78,7 +79,9 @@ ClippedColours::ClippedColours(const ColourTable& base, const ColourGains& gains
 
 std::optional<Colour> ClippedColours::at(const Rgb& seen) const {
     const std::size_t r = bin(seen.red), g = bin(seen.green), b = bin(seen.blue);
-    if (std::max({r, g, b}) < bins - 1) return std::nullopt;
+    constexpr std::size_t last = bins - 1;
+    if (!((driven_[0] && r == last) || (driven_[1] && g == last) || (driven_[2] && b == last)))
+        return std::nullopt;
     const std::uint8_t likeliest = likeliest_[(r * bins + g) * bins + b];
     if (likeliest == colour_count) return std::nullopt;
     return static_cast<Colour>(likeliest);

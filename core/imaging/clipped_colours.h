@@ -22,14 +22,15 @@ class ClippedColours {
   public:
     ClippedColours(const ColourTable& base, const ColourGains& gains);
 
-    /// The class of levels that are seen; nothing where none of their channels clips, or no colour of the
-    /// table comes to look like them.
+    /// The class of levels that are seen; nothing where none of their channels clips for the gains' sake, or
+    /// no colour of the table comes to look like them.
     std::optional<Colour> at(const Rgb& seen) const;
 
   private:
     static constexpr int bins = 17;  // an axis, the last one clipped
     static std::size_t bin(double level);
 
+    std::array<bool, 3> driven_;           // red, green, blue: by its gain to an end that it had not reached
     std::vector<std::uint8_t> likeliest_;  // by bin of red, green and blue; colour_count: nothing
 };
 

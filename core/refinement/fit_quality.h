@@ -9,8 +9,10 @@ namespace goalmouth {
 
 /// How far a fit may be trusted, 0…1: the least of what each thing that can go wrong leaves.
 ///
-/// Rows    of either edge, how many agree of those in which the background differs, of a number that can be
-///         trusted, and of all rows;
+/// Rows    of either edge, how many agree: three tenths of those in which the background differs, a number
+/// that
+///         can be trusted, and some of all rows. More rows than that are a matter of the covariance, and
+///         whether the others speak for another place one of Place;
 /// Rival   how well crossings agree with another edge parallel to one of them (CoarseEdge::rival);
 /// Place   how much more evidence either edge's place has than the next best (EdgeConsensus);
 /// Width   the relative sigma of the distance.

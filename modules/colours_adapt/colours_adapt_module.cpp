@@ -78,9 +78,11 @@ void ColoursAdaptModule::take(const border_t& message) {
     if (!look) {
         context_.status.count("without_field", 1);
         search(*frame, message);
+        say(message);
         return;
     }
-    if (tracker_.follow(*look, message.utime)) say(message);
+    tracker_.follow(*look, message.utime);
+    say(message);
     context_.status.set("disbelieved", tracker_.disbelieved());
 }
 
@@ -89,9 +91,14 @@ void ColoursAdaptModule::search(const Frame& frame, const border_t& message) {
     if (searched_at_ && message.utime - *searched_at_ < search_interval) return;
     searched_at_ = message.utime;
     const auto found = search_field(frame.pixels, tracker_.reference(), parameters_.light);
-    if (found && frame.still_valid() && tracker_.suspect(*found, message.utime)) say(message);
+    if (!frame.still_valid()) {
+        context_.status.dropped(1);
+        return;
+    }
+    if (found) tracker_.suspect(*found, message.utime);
 }
 
+/// Also what could not be said before for want of `interval`.
 void ColoursAdaptModule::say(const border_t& message) {
     if (largest_change(tracker_.gains(), said_) < parameters_.least_change) return;
     if (said_at_ && message.utime - *said_at_ < microseconds(parameters_.interval)) return;

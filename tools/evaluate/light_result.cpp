@@ -95,7 +95,7 @@ std::string light_headline(const LightResult& result, std::size_t detector) {
     const LightShare without = *result.share(detector, *worst_fixed, false);
     double least_kept = 2.0;
     std::size_t least_kept_in = 0;
-    for (std::size_t i = 0; i < result.lights.size(); ++i) {
+    for (std::size_t i = result.lights.size() > 1 ? 1 : 0; i < result.lights.size(); ++i) {
         const auto share = result.share(detector, i, true);
         if (!share || share->kept_share() >= least_kept) continue;
         least_kept = share->kept_share();
@@ -110,7 +110,9 @@ std::string light_headline(const LightResult& result, std::size_t detector) {
         100.0 * fixed.found_share(), 100.0 * without.found_share(), light_text(result.lights[*worst_fixed]),
         100.0 * own->found_share(), 100.0 * least_kept, light_text(result.lights[least_kept_in]),
         worst_cell(result, detector, *worst), 100.0 * wanted_in_any_light,
-        adapting.found_share() >= wanted_in_any_light ? "holds" : "does not hold");
+        adapting.found_share() < wanted_in_any_light ? "does not hold"
+        : result.complete()                          ? "holds"
+                                                     : "not all lights were run");
 }
 
 std::string light_table(const LightResult& result) {

@@ -7,6 +7,7 @@
 #include "tools/goalmouth/registry.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace goalmouth {
 namespace {
@@ -51,6 +52,10 @@ std::vector<LightPlace> lights_of(const LightOptions& options, double own_temper
 }  // namespace
 
 LightSetup set_up_light(const LightOptions& options) {
+    for (const double value : options.brightness)
+        if (!std::isfinite(value)) throw ConfigurationError("--brightness: no number");
+    for (const double value : options.temperatures)
+        if (!std::isfinite(value)) throw ConfigurationError("--temperature: no number");
     LightSetup setup;
     const auto folder = std::make_shared<const TemporaryFolder>();
     setup.graphs = folder;

@@ -54,7 +54,12 @@ cv::Mat panel(const std::string& caption, const ImageResult& result, int width) 
     draw_segments(found, result.segments);
     draw_border(found, result.border);
     draw_posts(found, result.posts);
-    const int height = std::max(1, result.camera.height * width / std::max(1, result.camera.width));
+    const double as_wide = static_cast<double>(width) / std::max(1, result.camera.width);
+    const int height = std::max(1, static_cast<int>(std::min(1e6, result.camera.height * as_wide)));
+    constexpr int highest = 16384;  // px
+    if (height > highest)
+        throw ConfigurationError("--width: that makes the picture " + std::to_string(height) +
+                                 " px high; at most " + std::to_string(highest));
     cv::Mat panel(head + height, width, CV_8UC3, cv::Scalar(255, 255, 255));
     cv::resize(found, panel.rowRange(head, head + height), {width, height}, 0.0, 0.0, cv::INTER_AREA);
     cv::putText(panel, caption, {2, head - 9}, cv::FONT_HERSHEY_SIMPLEX, 0.5, {30, 30, 30}, 1, cv::LINE_AA);

@@ -64,6 +64,33 @@ TEST(LightTracker, AClippedChannelGoesWithTheOthers) {
     EXPECT_NEAR(tracker.gains().green, 3.0, 0.2);
 }
 
+TEST(LightTracker, AChannelThatClipsHasGoneAsFarAsThat) {
+    // A lamp so red that red and green come to lie at the end of the scale, blue where it was.
+    LightTracker tracker = ready();
+    for (int i = 0; i < 20; ++i)
+        tracker.follow({Eigen::Vector3d(6.0, 3.0, 1.0).cwiseProduct(carpet).cwiseMin(255.0)},
+                       1'100'000 + 100'000 * i);
+    EXPECT_NEAR(tracker.gains().red, 250.0 / 52, 0.01);
+    EXPECT_NEAR(tracker.gains().green, 250.0 / 122, 0.01);
+    EXPECT_NEAR(tracker.gains().blue, 1.0, 1e-9);
+}
+
+TEST(LightTracker, ABlackChannelSaysNothingAboutOthers) {
+    LightTracker tracker = ready();
+    for (int i = 0; i < 20; ++i) tracker.follow({{255.0, 183.0, 0.0}}, 1'100'000 + 100'000 * i);
+    EXPECT_NEAR(tracker.gains().red, 250.0 / 52, 0.01);
+    EXPECT_NEAR(tracker.gains().green, 1.5, 0.01);
+    EXPECT_NEAR(tracker.gains().blue, LightTrackerParameters{}.lowest, 1e-9);
+}
+
+TEST(LightTracker, LooksOfASlowCameraAddUpToAJump) {
+    LightTrackerParameters parameters;
+    parameters.jump_after = 0.1;
+    LightTracker tracker = ready(parameters);
+    EXPECT_FALSE(tracker.suspect({0.4 * carpet}, 1'250'000));
+    EXPECT_TRUE(tracker.suspect({0.4 * carpet}, 1'500'000));
+}
+
 TEST(SearchField, FindsTheFieldInAnyLight) {
     for (const Eigen::Vector3d& light : {Eigen::Vector3d(0.3, 0.3, 0.3), Eigen::Vector3d(1.57, 1.0, 0.42),
                                          Eigen::Vector3d(0.64, 1.0, 2.0), Eigen::Vector3d(3.0, 3.0, 3.0)}) {

@@ -94,6 +94,22 @@ TEST(AdaptedTable, KnowsWhatClips) {
     EXPECT_EQ(warm.at(ycbcr_from_bgr(cv::Vec3b(20, 184, 255))), Colour::goal);
 }
 
+TEST(AdaptedTable, SaturatedColoursKeepTheirClassWhereLightHardlyChanges) {
+    ColourTable base = things();
+    for (int y = 0; y < 256; y += 4)
+        for (int cb = 0; cb < 256; cb += 4)
+            for (int cr = 200; cr < 256; cr += 4)
+                base.set({static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(cb),
+                          static_cast<std::uint8_t>(cr)},
+                         y / 16 % 2 == 0 ? Colour::ball : Colour::goal);
+    const ColourTable table = adapted(base, {1.001, 1.001, 1.001});
+    for (int y = 2; y < 256; y += 16)
+        for (const int cb : {90, 110})
+            EXPECT_EQ(table.at({static_cast<std::uint8_t>(y + 6), static_cast<std::uint8_t>(cb), 230}),
+                      base.at({static_cast<std::uint8_t>(y + 6), static_cast<std::uint8_t>(cb), 230}))
+                << y;
+}
+
 TEST(AdaptedTable, IsFinerInTheDark) {
     EXPECT_EQ(adapted(ColourTable(6), {0.5, 0.5, 0.5}).bits(), 7);
     EXPECT_EQ(adapted(ColourTable(6), {0.9, 0.9, 0.9}).bits(), 6);
