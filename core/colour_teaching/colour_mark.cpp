@@ -10,6 +10,7 @@ namespace goalmouth {
 namespace {
 
 constexpr int luma_factor = 3;  // of a fill's tolerance
+constexpr std::size_t most_corners = 1000;
 
 std::string size_text(cv::Size size) {
     return std::to_string(size.width) + "x" + std::to_string(size.height);
@@ -29,6 +30,8 @@ struct Problem {
     }
     std::string operator()(const MarkedPolygon& polygon) const {
         if (polygon.corners.size() < 3) return "a polygon has at least three corners";
+        if (polygon.corners.size() > most_corners)
+            return "a polygon has at most " + std::to_string(most_corners) + " corners";
         const bool beyond = std::any_of(polygon.corners.begin(), polygon.corners.end(),
                                         [&](cv::Point p) { return outside(p); });
         return beyond ? reaches_beyond("polygon") : "";
@@ -89,14 +92,32 @@ MarkedPixels marked_pixels(const MarkShape& shape, YuyvView picture) {
     return std::visit(Pixels{picture}, shape);
 }
 
-std::vector<Ycbcr> colours_of(const MarkedPixels& pixels, YuyvView picture) {
-    std::vector<Ycbcr> colours;
+std::vector<CountedColour> colours_of(const MarkedPixels& pixels, YuyvView picture) {
+    std::vector<std::uint32_t> all;  // Y, Cb and Cr as one number
     for (int y = 0; y < pixels.mask.rows; ++y) {
         const std::uint8_t* row = pixels.mask.ptr<std::uint8_t>(y);
-        for (int x = 0; x < pixels.mask.cols; ++x)
-            if (row[x] != 0) colours.push_back(picture.at(pixels.where.x + x, pixels.where.y + y));
+        for (int x = 0; x < pixels.mask.cols; ++x) {
+            if (row[x] == 0) continue;
+            const Ycbcr p = picture.at(pixels.where.x + x, pixels.where.y + y);
+            all.push_back((std::uint32_t{p.y} << 16) | (std::uint32_t{p.cb} << 8) | p.cr);
+        }
+    }
+    std::sort(all.begin(), all.end());
+    std::vector<CountedColour> colours;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i == 0 || all[i] != all[i - 1])
+            colours.push_back({{static_cast<std::uint8_t>(all[i] >> 16),
+                                static_cast<std::uint8_t>(all[i] >> 8), static_cast<std::uint8_t>(all[i])},
+                               0});
+        ++colours.back().pixels;
     }
     return colours;
+}
+
+std::size_t pixels_of(std::span<const CountedColour> colours) {
+    std::size_t pixels = 0;
+    for (const CountedColour& c : colours) pixels += c.pixels;
+    return pixels;
 }
 
 }  // namespace goalmouth

@@ -4,6 +4,7 @@
 #include "core/imaging/yuyv.h"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -22,7 +23,7 @@ struct MarkedBox {
 /// Everything inside and on its outline. Where the outline crosses itself, what it goes around twice is
 /// outside.
 struct MarkedPolygon {
-    std::vector<cv::Point> corners;  // 3 or more
+    std::vector<cv::Point> corners;  // 3 to 1000
     bool operator==(const MarkedPolygon&) const = default;
 };
 
@@ -58,7 +59,16 @@ struct MarkedPixels {
 /// Throws std::invalid_argument with shape_problem() where there is one.
 MarkedPixels marked_pixels(const MarkShape& shape, YuyvView picture);
 
-/// The colours of those pixels, row by row.
-std::vector<Ycbcr> colours_of(const MarkedPixels& pixels, YuyvView picture);
+/// A colour, and how many pixels show it.
+struct CountedColour {
+    Ycbcr colour;
+    std::size_t pixels = 0;
+};
+
+/// The colours of those pixels, each once.
+std::vector<CountedColour> colours_of(const MarkedPixels& pixels, YuyvView picture);
+
+/// How many pixels they come from.
+std::size_t pixels_of(std::span<const CountedColour> colours);
 
 }  // namespace goalmouth

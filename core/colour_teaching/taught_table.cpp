@@ -18,15 +18,18 @@ std::string percent(double share) {
 std::optional<ColourTable> taught_table(const ClassSamples& samples, int bits, const std::string& name) {
     ColourTrainer trainer;
     for (std::size_t c = 0; c < colour_count; ++c)
-        for (const Ycbcr p : samples[c]) trainer.add(p, static_cast<Colour>(c));
+        for (const CountedColour& s : samples[c])
+            trainer.add(s.colour, static_cast<Colour>(c), static_cast<double>(s.pixels));
     if (!trainer.has_class()) return std::nullopt;
     return trainer.table(bits, name);
 }
 
-std::array<double, colour_count> shares_by_class(std::span<const Ycbcr> samples, const ColourTable& table) {
+std::array<double, colour_count> shares_by_class(std::span<const CountedColour> samples,
+                                                 const ColourTable& table) {
     std::array<double, colour_count> shares{};
-    for (const Ycbcr p : samples) shares[static_cast<std::size_t>(table.at(p))] += 1.0;
-    for (double& share : shares) share /= static_cast<double>(samples.size());
+    for (const CountedColour& s : samples)
+        shares[static_cast<std::size_t>(table.at(s.colour))] += static_cast<double>(s.pixels);
+    for (double& share : shares) share /= static_cast<double>(pixels_of(samples));
     return shares;
 }
 

@@ -77,7 +77,7 @@ std::optional<std::size_t> TeachingSession::mark_at(std::size_t picture, cv::Poi
 std::array<std::size_t, colour_count> TeachingSession::samples() const {
     std::array<std::size_t, colour_count> counts{};
     for (const auto& each : marks())
-        counts[static_cast<std::size_t>(each->mark.colour)] += each->colours.size();
+        counts[static_cast<std::size_t>(each->mark.colour)] += pixels_of(each->colours);
     return counts;
 }
 

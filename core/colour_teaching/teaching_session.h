@@ -14,7 +14,7 @@ namespace goalmouth {
 struct SessionMark {
     ColourMark mark;
     MarkedPixels pixels;
-    std::vector<Ycbcr> colours;
+    std::vector<CountedColour> colours;
 };
 
 /// Pictures that a person marks, one step at a time, and the table that the marks make: each pixel a mark

@@ -37,7 +37,8 @@ std::string cause() {
 }  // namespace
 
 LogReader::LogReader(const std::filesystem::path& path) {
-    fd_ = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    // A pipe that nobody writes to must not hold it up; it is refused below.
+    fd_ = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (fd_ < 0) throw std::runtime_error("cannot read log " + path.string() + ": " + cause());
     struct stat status {};
     if (fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode)) {

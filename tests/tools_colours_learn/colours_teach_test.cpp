@@ -78,6 +78,12 @@ TEST_F(ColoursTeach, MistakesAreSaidAndTheOldTableStays) {
                 HasSubstr("beyond the picture, which is 90x60"));
     EXPECT_THAT(error_of("p.png goal polygon 5 5 90 9 9 9\n"),
                 HasSubstr("boxes.txt:1: the polygon reaches beyond"));
+    std::string corners = "p.png goal polygon";
+    for (int i = 0; i <= 1000; ++i) corners += " " + std::to_string(i % 80) + " " + std::to_string(i % 50);
+    EXPECT_THAT(error_of(corners + "\n"), HasSubstr("at most 1000 corners"));
+    EXPECT_THAT(error_of(std::string("p.png goal\0 5 5 9 9\n", 21)), HasSubstr("no text"));
+    EXPECT_THAT(error_of(std::string((1 << 24) + 1, '#')), HasSubstr("too large"));
+    EXPECT_THAT(error_of("p.png " + std::string(200, 'x') + "\n"), HasSubstr("xx…\" is not PICTURE"));
     EXPECT_THAT(error_of("p.png goal fill 90 5 9\n"),
                 HasSubstr("boxes.txt:1: the fill's seed reaches beyond"));
     EXPECT_THAT(error_of("p.png goal fill 9 5 900\n"), HasSubstr("boxes.txt:1: a tolerance is 0"));
@@ -86,6 +92,16 @@ TEST_F(ColoursTeach, MistakesAreSaidAndTheOldTableStays) {
     EXPECT_THAT(error_of("# nothing\n"), HasSubstr("holds no box"));
     EXPECT_THAT(error_of("p.png unclassified 5 5 9 9\n"), HasSubstr("all marks are unclassified"));
     EXPECT_EQ(read_bytes(path("t.gmct")).size(), std::string("the table in force").size());
+}
+
+TEST_F(ColoursTeach, TheTableDoesNotTakeThePlaceOfItsMarks) {
+    const std::string marks = "p.png goal 33 2 56 55\n";
+    test::write_text(path("boxes.txt"), marks);
+    TeachColoursOptions options;
+    options.inputs = {path("boxes.txt")};
+    options.output = folder_.path() / "." / "boxes.txt";
+    EXPECT_THAT(test::message_of([&] { teach_colours(options); }), HasSubstr("would be overwritten"));
+    EXPECT_EQ(read_bytes(path("boxes.txt")).size(), marks.size());
 }
 
 TEST_F(ColoursTeach, PolygonsAndFillsTeachAsBoxesDo) {

@@ -72,6 +72,14 @@ TEST_F(MarksFile, ItsNamesCountFromWhereItStands) {
     EXPECT_THAT(marks_text(marks, path("tables")), HasSubstr("\n../pictures/1.png field"));
 }
 
+TEST_F(MarksFile, ALinkKeepsItsName) {
+    test::write_text(path("blob"), "");
+    std::filesystem::create_symlink("blob", path("s.yuyv"));
+    EXPECT_THAT(
+        marks_text({{{path("s.yuyv"), {}}, Colour::field, MarkedBox{{0, 0, 1, 1}}, 0}}, folder_.path()),
+        HasSubstr("\ns.yuyv field 0 0 0 0\n"));
+}
+
 TEST_F(MarksFile, MistakesAreToldWithTheirLine) {
     EXPECT_THAT(error_of("\n1.png goal polygon 1 2 3 4\n"), HasSubstr("m.marks:2: "));
     EXPECT_THAT(error_of("1.png goal polygon 1 2 3 4 5 6 7\n"), HasSubstr("is not PICTURE"));

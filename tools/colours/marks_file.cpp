@@ -84,8 +84,9 @@ class LineReader {
     }
 
     ConfigurationError no_mark() const {
+        constexpr std::size_t most = 80;
         return error(
-            "\"" + text_ +
+            "\"" + (text_.size() > most ? text_.substr(0, most) + "…" : text_) +
             "\" is not PICTURE CLASS X0 Y0 X1 Y1, such as \"1.png goal 507 20 520 180\", nor PICTURE "
             "CLASS polygon X Y X Y X Y …, nor PICTURE CLASS fill X Y TOLERANCE");
     }
@@ -150,8 +151,11 @@ struct ShapeText {
 
 std::string name_of(const MarkedPicture& picture, const fs::path& folder) {
     std::error_code problem;
-    const fs::path near = fs::relative(picture.file, folder.empty() ? "." : folder, problem);
-    std::string name = problem || near.empty() ? fs::absolute(picture.file).string() : near.string();
+    // A link stays one: what it leads to may have a name that says nothing.
+    const fs::path absolute = fs::absolute(picture.file);
+    fs::path near = fs::relative(absolute.parent_path(), folder.empty() ? "." : folder, problem);
+    if (!problem && !near.empty()) near = (near / absolute.filename()).lexically_normal();
+    std::string name = problem || near.empty() ? absolute.string() : near.string();
     if (picture.place) name += "@" + std::to_string(*picture.place);
     if (name.find_first_of("\r\n") != std::string::npos)
         throw ConfigurationError(picture.file.string() +
@@ -165,12 +169,18 @@ std::string name_of(const MarkedPicture& picture, const fs::path& folder) {
 }  // namespace
 
 std::vector<MarkLine> read_marks(const fs::path& file) {
+    constexpr std::uintmax_t largest = 1 << 24;  // bytes: tens of thousands of marks
+    std::error_code problem;
+    if (const auto size = fs::file_size(file, problem); !problem && size > largest)
+        throw ConfigurationError(file.string() + ": too large to be a file of marks");
     std::vector<std::uint8_t> bytes;
     try {
         bytes = read_bytes(file);
     } catch (const FileError& error) {
         throw ConfigurationError(error.what());
     }
+    if (std::find(bytes.begin(), bytes.end(), std::uint8_t{0}) != bytes.end())
+        throw ConfigurationError(file.string() + ": no text, so no file of marks");
     std::istringstream lines(std::string(bytes.begin(), bytes.end()));
     std::vector<MarkLine> marks;
     int number = 0;

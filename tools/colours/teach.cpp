@@ -22,6 +22,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Throws where writing `output` would take away one of the inputs.
+void expect_other_than(const fs::path& output, const char* option, const std::vector<std::string>& inputs) {
+    for (const std::string& input : inputs)
+        if (fs::weakly_canonical(input) == fs::weakly_canonical(output))
+            throw ConfigurationError(
+                fmt::format("{}: {} is what to teach from; it would be overwritten", option, input));
+}
+
 /// A text file, that is: neither a picture nor a folder nor a log.
 bool is_marks_file(const std::string& name) {
     return fs::is_regular_file(name) && !is_image_name(name) && !is_log_file(name);
@@ -76,7 +84,7 @@ void print_classes(const TeachingSession& session, const fs::path& output, const
     }
     for (std::size_t c = 0; c < colour_count; ++c) {
         if (samples[c].empty()) continue;
-        fmt::print("{:<14} {:>9} {:>8.1f} %\n", colour_names[c], samples[c].size(),
+        fmt::print("{:<14} {:>9} {:>8.1f} %\n", colour_names[c], pixels_of(samples[c]),
                    100.0 * shares_by_class(samples[c], *session.table())[c]);
     }
 }
@@ -97,6 +105,7 @@ int teach_in_window(const TeachColoursOptions& options) {
     if (fs::weakly_canonical(file) == fs::weakly_canonical(options.output))
         throw ConfigurationError("--marks: " + file.string() +
                                  " is the table's name; marks need one of their own");
+    expect_other_than(file, "--marks", options.inputs);
     expect_writable(file, "--marks");
     const DisplayCheck display;
     if (!display.problem().empty()) {
@@ -112,11 +121,12 @@ int teach_in_window(const TeachColoursOptions& options) {
     for (const NamedPicture& picture : marked.pictures) names.push_back(picture.name);
     TeachingSession session = session_of(marked, options.bits);
 
-    bool table_written = false;
+    bool table_written = false;  // of the marks that were saved last
     TeachEditor editor(session, names, [&] {
         if (session.marks().empty()) throw ConfigurationError(session.problem() + "; nothing is saved");
         write_text(file, marks_text(lines_of(marks_of(session), marked.pictures), file.parent_path()), "");
         session.keep();
+        table_written = false;
         try {
             save_table(session, options, file);
         } catch (const ConfigurationError& error) {
@@ -134,8 +144,9 @@ int teach_in_window(const TeachColoursOptions& options) {
     if (session.changed()) std::cerr << "goalmouth: the marks made since they were saved last are given up\n";
     if (interrupt.requested()) return Interrupt::exit_code;
     if (!table_written) {
-        fmt::print("{} is not written\n", options.output.string());
-    } else if (session.problem().empty()) {
+        fmt::print("{} is not written{}\n", options.output.string(),
+                   fs::exists(options.output) ? "; what stands there is from before" : "");
+    } else if (!session.changed()) {
         print_classes(session, options.output, file);
     }
     return 0;
@@ -147,6 +158,7 @@ int teach_colours(const TeachColoursOptions& options) {
     expect_writable(options.output, "--output");
     for (const std::string& input : options.inputs)
         if (!fs::exists(input)) throw ConfigurationError(input + ": there is no such file or folder");
+    expect_other_than(options.output, "--output", options.inputs);
     const auto marks = std::find_if(options.inputs.begin(), options.inputs.end(), is_marks_file);
     if (marks == options.inputs.end()) return teach_in_window(options);
     if (options.inputs.size() > 1 || !options.marks.empty()) {

@@ -128,7 +128,7 @@ void TeachEditor::mark(const MarkShape& shape) {
     } catch (const std::invalid_argument& error) {
         return say(error.what(), true);
     }
-    const std::size_t pixels = session_.marks().back()->colours.size();
+    const std::size_t pixels = pixels_of(session_.marks().back()->colours);
     const std::string problem = session_.problem();
     say(fmt::format("{}: {} px of {}{}{}", name_of(tool_), pixels, name_of(colour_),
                     problem.empty() ? "" : "; ", problem),

@@ -29,7 +29,7 @@ YuyvImage post_picture() {
 
 std::size_t count(const MarkShape& shape) {
     const YuyvImage image = post_picture();
-    return colours_of(marked_pixels(shape, image.view()), image.view()).size();
+    return pixels_of(colours_of(marked_pixels(shape, image.view()), image.view()));
 }
 
 TEST(ColourMark, ABoxHoldsItsCornersAndNothingElse) {
@@ -40,7 +40,10 @@ TEST(ColourMark, ABoxHoldsItsCornersAndNothingElse) {
     EXPECT_TRUE(pixels.holds({12, 6}));
     EXPECT_FALSE(pixels.holds({13, 6}));
     EXPECT_FALSE(pixels.holds({9, 5}));
-    for (const Ycbcr p : colours_of(pixels, image.view())) EXPECT_EQ(p.cb, 50);
+    const auto colours = colours_of(pixels, image.view());
+    ASSERT_EQ(colours.size(), 1U) << "each once";
+    EXPECT_EQ(colours[0].colour.cb, 50);
+    EXPECT_EQ(colours[0].pixels, 6U);
 }
 
 TEST(ColourMark, APolygonHoldsWhatItsOutlineGoesAround) {
