@@ -18,8 +18,8 @@ double fit_quality(const SilhouetteFit& fit, const CoarseEdgeFinder::Edges& coar
             std::min({quality, agreeing / (usual_share * looked), agreeing / enough,
                       agreeing / (least_share * std::max(1, rows)), 1.0 - rival_harm * coarse[side]->rival});
         if (fit.consensus.disagree) {
-            // Odds of e against the next best place are just enough: evidence is counted sparingly.
-            constexpr double sure = 2.0;
+            // Odds of e² against the next best place are just enough.
+            constexpr double sure = 4.0;
             quality = std::min(quality, (fit.consensus.evidence[side] - fit.consensus.rival[side]) / sure);
         }
     }
