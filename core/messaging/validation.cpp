@@ -102,6 +102,9 @@ Problem points_problem(const std::vector<float>& x, const std::vector<float>& y,
 struct Extent {
     int along = 0;
     int lines = 0;
+    bool holds(int line, int start, int end) const {
+        return line >= 0 && line < lines && start >= 0 && end < along;
+    }
 };
 Extent extent_of(std::int8_t orientation, const intrinsics_t& image) {
     return orientation == 0 ? Extent{image.width, image.height} : Extent{image.height, image.width};
@@ -241,17 +244,13 @@ Problem problem(const candidates_t& m) {
         if (m.orientation[i] != 0 && m.orientation[i] != 1) return "unknown orientation";
         const Extent extent = extent_of(m.orientation[i], m.intrinsics);
         if (m.end[i] < m.start[i]) return "a segment that ends before it starts";
-        if (m.line[i] < 0 || m.line[i] >= extent.lines || m.start[i] < 0 || m.end[i] >= extent.along) {
-            return "a segment outside the image";
-        }
+        if (!extent.holds(m.line[i], m.start[i], m.end[i])) return "a segment outside the image";
     }
     const Extent rows = extent_of(0, m.intrinsics);
     for (std::size_t i = 0; i < m.field_line.size(); ++i) {
         if (m.field_end[i] < m.field_start[i]) return "a stretch of field that ends before it starts";
-        if (m.field_line[i] < 0 || m.field_line[i] >= rows.lines || m.field_start[i] < 0 ||
-            m.field_end[i] >= rows.along) {
+        if (!rows.holds(m.field_line[i], m.field_start[i], m.field_end[i]))
             return "a stretch of field outside the image";
-        }
     }
     if (auto cause = points_problem(m.left_x, m.left_y, m.intrinsics)) return cause;
     return points_problem(m.right_x, m.right_y, m.intrinsics);

@@ -10,9 +10,8 @@ namespace goalmouth {
 /// How far a fit may be trusted, 0…1: the least of what each thing that can go wrong leaves.
 ///
 /// Rows    of either edge, how many agree: three tenths of those in which the background differs, a number
-/// that
-///         can be trusted, and some of all rows. More rows than that are a matter of the covariance, and
-///         whether the others speak for another place one of Place;
+///         that can be trusted, and some of all rows. What more rows are worth the covariance tells, and
+///         whether the others speak for another place does Place;
 /// Rival   how well crossings agree with another edge parallel to one of them (CoarseEdge::rival);
 /// Place   how much more evidence either edge's place has than the next best (EdgeConsensus);
 /// Width   the relative sigma of the distance.

@@ -29,7 +29,7 @@ std::int64_t microseconds(double seconds) {
 
 ModuleInfo ColoursAdaptModule::info() {
     return {"colours_adapt",
-            "Follows slow changes of light by the field's look, for segmentation to adapt its colour table.",
+            "Follows changes of light by the field's look, for segmentation to adapt its colour table.",
             {{channels::border, "border_t", "field border of each frame"},
              {channels::image, "image_t", "the frames, pixels in shared memory", true},
              {channels::image_tap, "image_t", "self-contained frames, for replay", true},

@@ -9,6 +9,7 @@
 #include "tests/support/data.h"
 #include "tests/support/files.h"
 #include "tests/support/refusal.h"
+#include "tests/support/stripes.h"
 #include "tools/colours/marked_pictures.h"
 #include "tools/colours/teach.h"
 
@@ -26,12 +27,7 @@ using testing::HasSubstr;
 
 class ColoursTeach : public testing::Test {
   protected:
-    ColoursTeach() {
-        cv::Mat picture(60, 90, CV_8UC3, cv::Scalar(60, 120, 50));
-        cv::rectangle(picture, {30, 0, 30, 60}, cv::Scalar(34, 184, 226), cv::FILLED);
-        cv::rectangle(picture, {60, 0, 30, 60}, cv::Scalar(150, 158, 160), cv::FILLED);
-        cv::imwrite(path("p.png"), picture);
-    }
+    ColoursTeach() { cv::imwrite(path("p.png"), test::stripes_bgr()); }
     std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
     int teach(const std::string& boxes) const {
         test::write_text(path("boxes.txt"), boxes);
@@ -43,6 +39,12 @@ class ColoursTeach : public testing::Test {
     std::string error_of(const std::string& boxes) const {
         return test::message_of([&] { teach(boxes); });
     }
+    void expect_stripes_told(const ColourTable& table) const {
+        const YuyvImage picture = read_image(path("p.png"));
+        EXPECT_EQ(table.at(picture.view().at(10, 10)), Colour::field);
+        EXPECT_EQ(table.at(picture.view().at(45, 10)), Colour::goal);
+        EXPECT_EQ(table.at(picture.view().at(75, 10)), Colour::unclassified);
+    }
     test::TemporaryFolder folder_;
 };
 
@@ -51,10 +53,7 @@ TEST_F(ColoursTeach, EachBoxTeachesItsClass) {
                     "unclassified 64 2 86 55\n"),
               0);
     const ColourTable table = load_colour_table(path("t.gmct"));
-    const YuyvImage picture = read_image(path("p.png"));
-    EXPECT_EQ(table.at(picture.view().at(10, 10)), Colour::field);
-    EXPECT_EQ(table.at(picture.view().at(45, 10)), Colour::goal);
-    EXPECT_EQ(table.at(picture.view().at(75, 10)), Colour::unclassified);
+    expect_stripes_told(table);
     ASSERT_FALSE(table.provenance().empty());
     EXPECT_THAT(table.provenance()[0], HasSubstr("3 marks of boxes.txt"));
 }
@@ -108,11 +107,7 @@ TEST_F(ColoursTeach, PolygonsAndFillsTeachAsBoxesDo) {
     ASSERT_EQ(teach("p.png field polygon 1 1 28 1 28 58 1 58\np.png goal fill 45 30 5\np.png unclassified "
                     "fill 75 30 5\n"),
               0);
-    const ColourTable table = load_colour_table(path("t.gmct"));
-    const YuyvImage picture = read_image(path("p.png"));
-    EXPECT_EQ(table.at(picture.view().at(10, 10)), Colour::field);
-    EXPECT_EQ(table.at(picture.view().at(45, 10)), Colour::goal);
-    EXPECT_EQ(table.at(picture.view().at(75, 10)), Colour::unclassified);
+    expect_stripes_told(load_colour_table(path("t.gmct")));
 }
 
 TEST_F(ColoursTeach, PicturesOfALogTeachToo) {

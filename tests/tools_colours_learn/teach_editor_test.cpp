@@ -1,6 +1,6 @@
 #include "tools/colours/teach_editor.h"
 
-#include "core/imaging/conversion.h"
+#include "tests/support/stripes.h"
 #include "tools/colours/click_tracker.h"
 #include "tools/colours/teach_layout.h"
 #include "tools/colours/teach_view.h"
@@ -16,17 +16,11 @@
 namespace goalmouth {
 namespace {
 
+using test::stripes;
 using testing::HasSubstr;
 
 class TeachEditorTest : public testing::Test {
   protected:
-    /// 90×60 in three stripes of 30: carpet, a yellow post, a wall.
-    static YuyvImage stripes() {
-        cv::Mat picture(60, 90, CV_8UC3, cv::Scalar(60, 120, 50));
-        cv::rectangle(picture, {30, 0, 30, 60}, cv::Scalar(34, 184, 226), cv::FILLED);
-        cv::rectangle(picture, {60, 0, 30, 60}, cv::Scalar(150, 158, 160), cv::FILLED);
-        return yuyv_from_bgr(picture);
-    }
     void keys(const std::string& codes) {
         for (const char code : codes) editor.key(code);
     }

@@ -63,6 +63,16 @@ class TeachWindow : public testing::Test {
         return display_->shows("^goalmouth colours teach - .*" + end + "$");
     }
 
+    /// A first mark: what is joined to a pixel of the field.
+    void fill_the_field(Running& window) {
+        ASSERT_TRUE(title("0 marks")) << window.output();
+        display_->point_at(place({320, 400}));
+        display_->key("f");
+        ASSERT_TRUE(title("field - fill - 0 marks"));
+        display_->click(place({320, 400}));
+        ASSERT_TRUE(title("1 mark, not saved"));
+    }
+
     /// Share of the pixels of a class that a table calls so.
     double recall(const ColourTable& table, Colour colour) const {
         double all = 0.0, right = 0.0;
@@ -165,12 +175,7 @@ TEST_F(TeachWindow, GoesOnFromTheMarksOfBeforeAndAsksBeforeItGivesUpNewOnes) {
 TEST_F(TeachWindow, ClassesWithTheSameColoursLeaveTheOldTable) {
     test::write_text(path("t.gmct"), "the table in force");
     const auto window = teach();
-    ASSERT_TRUE(title("0 marks")) << window->output();
-    display_->point_at(place({320, 400}));
-    display_->key("f");
-    ASSERT_TRUE(title("field - fill - 0 marks"));
-    display_->click(place({320, 400}));
-    ASSERT_TRUE(title("1 mark, not saved"));
+    ASSERT_NO_FATAL_FAILURE(fill_the_field(*window));
     display_->key("5");
     ASSERT_TRUE(title("robot - fill - 1 mark, not saved"));
     display_->click(place({320, 400}));
@@ -186,12 +191,7 @@ TEST_F(TeachWindow, ClassesWithTheSameColoursLeaveTheOldTable) {
 
 TEST_F(TeachWindow, ControlCWritesNothing) {
     const auto window = teach();
-    ASSERT_TRUE(title("0 marks")) << window->output();
-    display_->point_at(place({320, 400}));
-    display_->key("f");
-    ASSERT_TRUE(title("field - fill - 0 marks"));
-    display_->click(place({320, 400}));
-    ASSERT_TRUE(title("1 mark, not saved"));
+    ASSERT_NO_FATAL_FAILURE(fill_the_field(*window));
     window->signal(SIGINT);
     EXPECT_EQ(window->wait(), 130) << window->output();
     EXPECT_FALSE(fs::exists(path("t.gmct")));

@@ -66,6 +66,11 @@ struct Source {
 
 }  // namespace
 
+NamedPicture picture_of_file(const fs::path& file, std::optional<ImageSize> size) {
+    return {file.filename().string(), read_image(file, is_raw_image_name(file) ? size : std::nullopt), file,
+            std::nullopt};
+}
+
 std::vector<NamedPicture> pictures_of_log(const fs::path& log, const std::set<std::size_t>& places) {
     std::vector<NamedPicture> pictures;
     std::size_t place = 0;
@@ -111,10 +116,7 @@ std::vector<NamedPicture> learning_pictures(const std::vector<std::string>& name
             std::ranges::move(pictures_of_log(source.file, places), std::back_inserter(pictures));
         } else if (wanted[first]) {
             try {
-                pictures.push_back(
-                    {fs::path(source.file).filename().string(),
-                     read_image(source.file, is_raw_image_name(source.file) ? size : std::nullopt),
-                     source.file, std::nullopt});
+                pictures.push_back(picture_of_file(source.file, size));
             } catch (const FileError& error) {
                 throw ConfigurationError(error.what());
             }

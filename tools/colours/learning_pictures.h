@@ -26,6 +26,9 @@ struct NamedPicture {
 std::vector<NamedPicture> learning_pictures(const std::vector<std::string>& named,
                                             std::optional<ImageSize> size, std::size_t most);
 
+/// A picture's own file. `size`: if it is raw. Throws FileError.
+NamedPicture picture_of_file(const std::filesystem::path& file, std::optional<ImageSize> size);
+
 /// Those of a log with these places, in their order. Throws ConfigurationError where the log cannot be read
 /// or has not so many.
 std::vector<NamedPicture> pictures_of_log(const std::filesystem::path& log,

@@ -32,10 +32,7 @@ std::vector<NamedPicture> load(const fs::path& file, const std::set<std::optiona
         if (place) {
             in_log.insert(*place);
         } else {
-            pictures.push_back({file.filename().string(),
-                                read_image(file, is_raw_image_name(file) ? size : std::nullopt),
-                                file,
-                                {}});
+            pictures.push_back(picture_of_file(file, size));
         }
     }
     if (!in_log.empty())

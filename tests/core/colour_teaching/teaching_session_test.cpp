@@ -1,6 +1,6 @@
 #include "core/colour_teaching/teaching_session.h"
 
-#include "core/imaging/conversion.h"
+#include "tests/support/stripes.h"
 
 #include <stdexcept>
 #include <vector>
@@ -12,17 +12,12 @@
 namespace goalmouth {
 namespace {
 
+using test::stripes;
 using testing::HasSubstr;
 
-/// Two pictures of 90×60 in three stripes of 30: carpet, a yellow post, a wall.
+/// Two pictures of stripes.
 class TeachingSessionTest : public testing::Test {
   protected:
-    static YuyvImage stripes() {
-        cv::Mat picture(60, 90, CV_8UC3, cv::Scalar(60, 120, 50));
-        cv::rectangle(picture, {30, 0, 30, 60}, cv::Scalar(34, 184, 226), cv::FILLED);
-        cv::rectangle(picture, {60, 0, 30, 60}, cv::Scalar(150, 158, 160), cv::FILLED);
-        return yuyv_from_bgr(picture);
-    }
     static ColourMark box(Colour colour, int x, std::size_t picture = 0) {
         return {picture, colour, MarkedBox{{x, 4, 20, 50}}};
     }
