@@ -36,10 +36,13 @@ std::string display_problem() {
     return {};
 }
 
+// Without -noreset the server turns away who connects while it starts over, which it does each time its last
+// client leaves: here, each xdotool until the window is there.
 Display::Display()
-    : server_(std::make_unique<Running>(std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0",
-                                                                 "1366x768x24", "-nolisten", "tcp"},
-                                        new_mark())) {
+    : server_(
+          std::make_unique<Running>(std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0",
+                                                             "1366x768x24", "-nolisten", "tcp", "-noreset"},
+                                    new_mark())) {
     std::string number;
     if (!eventually([&] { return !(number = number_in(server_->output())).empty(); }))
         throw std::runtime_error("Xvfb does not start: " + server_->output());
