@@ -164,11 +164,51 @@ void EdgeRowReader::read(YuyvView image, const Intrinsics& camera, const PostSil
             0.5F * (colour.noise +
                     static_cast<float>(layout.bin) * background_noise(side, rows[side], colour.noise) +
                     Eigen::Matrix3f::Identity() * 0.1F);
-        for (auto* columns : {&weights_.along, &weights_.square})
+        RowWeights& weights = weights_[side];
+        for (auto* columns : {&weights.along, &weights.square})
             for (RowColumn<float>& column : *columns) column.assign(count);
         weigh_colours(contrast_matrix(noise, colour.shade), colour.shade, gain, least, backgrounds_[side],
-                      backgrounds_[1 - side], rows[side], weights_);
-        project_pairs(weights_, colour.mean[0], rows[side]);
+                      backgrounds_[1 - side], rows[side], weights);
+        project_pairs(weights, colour.mean[0], rows[side]);
+    }
+}
+
+void EdgeRowReader::read_far(YuyvView image, const PostColour& colour, const RowLayout& layout,
+                             std::array<EdgeRows, 2>& both) const {
+    const int pairs = image.width / 2;
+    for (std::size_t side = 0; side < 2; ++side) {
+        EdgeRows& rows = both[side];
+        const double outwards = side == 0 ? -1.0 : 1.0;
+        for (std::size_t i = 0; i < rows.count; ++i) {
+            if (!rows.seen(i)) continue;
+            const int first = static_cast<int>(std::lround(0.5 * (rows.first[i] - 0.5)));
+            const int last = first + static_cast<int>(rows.pairs[i]) - 1;
+            const double width = both[1].column[i] - both[0].column[i];
+            const int inner_end =
+                pair_at(rows.column[i] - outwards * std::min(layout.far_inner, 0.5 * width));
+            const int outer_end = pair_at(rows.column[i] + outwards * layout.far_outer);
+            const auto level = [&](int from, int to, RowColumn<float>& mean, RowColumn<float>& number) {
+                from = std::max(from, 0);
+                to = std::min(to, pairs - 1);
+                if (from > to) return;
+                Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+                for (int k = 0; k < layout.bin; ++k) {
+                    const PairRow row(image.row(layout.top(static_cast<int>(i)) + k), pairs, colour.response);
+                    for (int pair = from; pair <= to; ++pair) sum += row[pair];
+                }
+                number[i] = static_cast<float>(to - from + 1);
+                const Eigen::Vector3f e = sum / (number[i] * static_cast<float>(layout.bin)) - colour.mean;
+                const auto& along = weights_[side].along;
+                mean[i] = along[0][i] * e[0] + along[1][i] * e[1] + along[2][i] * e[2];
+            };
+            if (side == 0) {
+                level(last + 1, inner_end, rows.far_inner, rows.far_inner_pairs);
+                level(outer_end, first - 1, rows.far_outer, rows.far_outer_pairs);
+            } else {
+                level(inner_end, first - 1, rows.far_inner, rows.far_inner_pairs);
+                level(last + 1, outer_end, rows.far_outer, rows.far_outer_pairs);
+            }
+        }
     }
 }
 

@@ -28,6 +28,10 @@ class EdgeRowReader {
     void read(YuyvView image, const Intrinsics& camera, const PostSilhouette& post, const PostColour& colour,
               const RowLayout& layout, double blur, double least_contrast, std::array<EdgeRows, 2>& rows);
 
+    /// What lies beyond the windows of rows as read last (EdgeRows::far_inner, far_outer).
+    void read_far(YuyvView image, const PostColour& colour, const RowLayout& layout,
+                  std::array<EdgeRows, 2>& rows) const;
+
   private:
     /// Where the edge of each row is (EdgeRows::column and the ray there).
     void place(const Intrinsics& camera, const Eigen::Vector3d& plane, const RowLayout& layout, double x_near,
@@ -50,7 +54,7 @@ class EdgeRowReader {
     std::array<BackgroundSums, 2> sums_;
     std::array<std::array<RowColumn<float>, 3>, 2> backgrounds_;
     std::array<std::vector<Outside>, 2> outside_;
-    RowWeights weights_;
+    std::array<RowWeights, 2> weights_;
     std::vector<Difference> differences_;
     std::vector<float> sizes_;
 };

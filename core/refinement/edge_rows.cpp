@@ -7,9 +7,27 @@ namespace goalmouth {
 void EdgeRows::assign(std::size_t rows) {
     count = rows;
     pixels.resize(blocks());
-    for (RowColumn<float>* numbers :
-         {&pairs, &other_edge, &background[0], &background[1], &background[2], &inner, &outer,
-          &inner_variance, &outer_variance, &stray, &dark, &clean, &weight, &outvoted, &turn})
+    for (RowColumn<float>* numbers : {&pairs,
+                                      &other_edge,
+                                      &background[0],
+                                      &background[1],
+                                      &background[2],
+                                      &inner,
+                                      &outer,
+                                      &inner_variance,
+                                      &outer_variance,
+                                      &far_inner,
+                                      &far_outer,
+                                      &far_inner_pairs,
+                                      &far_outer_pairs,
+                                      &far_inner_weight,
+                                      &far_outer_weight,
+                                      &stray,
+                                      &dark,
+                                      &clean,
+                                      &weight,
+                                      &outvoted,
+                                      &turn})
         numbers->assign(rows);
     for (RowColumn<double>* numbers : {&first, &column, &row, &ray_x, &ray_y, &slope_x, &slope_y, &edge})
         numbers->assign(rows);

@@ -84,6 +84,12 @@ struct EdgeRows {
     RowColumn<float> inner_variance,
         outer_variance;  // of the level in this row, were its own pixels not known
 
+    // What lies farther in and out than `pixels`: mean value, pairs, and how many pairs next to the edge it
+    // is worth as a level (far_levels.h).
+    RowColumn<float> far_inner, far_outer;
+    RowColumn<float> far_inner_pairs, far_outer_pairs;
+    RowColumn<float> far_inner_weight, far_outer_weight;
+
     RowColumn<double> edge;  // px, where it was supposed last
     RowMeasurements measured;
     RowColumn<float> stray;     // as misfit, of the strays
@@ -115,6 +121,8 @@ struct RowLayout {
     int count = 0;       // bins
     double inner = 4.0;  // px to look inside an edge
     double outer = 6.0;  // and outside
+    // The same for what tells levels alone:
+    double far_inner = 12.0, far_outer = 12.0;
 
     /// The uppermost row of a bin.
     int top(int i) const { return static_cast<int>(std::lround(first_row + i * pitch)); }

@@ -89,8 +89,18 @@ HWY_INLINE void measure_lanes(const EdgeRows& rows, const EdgePieces& pieces, co
     const auto known = [&](const RowColumn<float>& variance) HWY_ATTR {
         return hn::Div(n, hn::Max(hn::LoadU(d, variance.data() + row), least_variance));
     };
-    const auto naa = hn::Add(aa.all, known(rows.inner_variance));
-    const auto nbb = hn::Add(bb.all, known(rows.outer_variance));
+    // What lies far from the edge tells of levels alone.
+    LaneSum known_in = aa, known_out = bb;
+    const auto far = [&](const RowColumn<float>& mean, const RowColumn<float>& weight, FloatVector level,
+                         LaneSum& information, LaneSum& pull) HWY_ATTR {
+        const auto w = hn::LoadU(d, weight.data() + row);
+        information.add(w);
+        pull.add(w, hn::Sub(hn::LoadU(d, mean.data() + row), level));
+    };
+    far(rows.far_inner, rows.far_inner_weight, a, known_in, ra);
+    far(rows.far_outer, rows.far_outer_weight, b, known_out, rb);
+    const auto naa = hn::Add(known_in.all, known(rows.inner_variance));
+    const auto nbb = hn::Add(known_out.all, known(rows.outer_variance));
     const auto per_det = hn::Div(one, hn::Sub(hn::Mul(naa, nbb), hn::Mul(ab.all, ab.all)));
     const auto ia = hn::Mul(nbb, per_det), iab = hn::Neg(hn::Mul(ab.all, per_det)),
                ib = hn::Mul(naa, per_det);

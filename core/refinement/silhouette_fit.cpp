@@ -1,5 +1,6 @@
 #include "core/refinement/silhouette_fit.h"
 
+#include "core/refinement/far_levels.h"
 #include "core/refinement/level_smoother.h"
 
 #include <algorithm>
@@ -203,7 +204,26 @@ void SilhouetteFitter::fit_blur(SilhouetteFit& state) const {
     state.digital = std::clamp(state.digital + change[1], 0.0, 1.0);
 }
 
-bool SilhouetteFitter::settle(const Task& task, RowLayout layout, SilhouetteFit& state) {
+std::optional<SilhouetteFitter::Stepped> SilhouetteFitter::step_once(const Task& task, SilhouetteFit& state) {
+    equations_ = {};
+    for (std::size_t side = 0; side < 2; ++side)
+        if (edges_[side])
+            add_rows(rows_[side], planes_[side], state.post.plane_change(sides[side]), outwards(side),
+                     1.5 * state.blur + 1.0, equations_);
+    prior_ = equations_of(task.prior, state.post);
+    const SilhouetteStep pull = equations_.pull + prior_.pull;
+    const SilhouetteStep step = step_of(equations_.information + prior_.information, pull);
+    if (!step.allFinite() || step.norm() > 0.5) return std::nullopt;
+    state.post = upright(state.post.moved(step), task.prior);
+    // What is left to ask for.
+    equations_.pull -= equations_.information * step;
+    prior_.pull -= prior_.information * step;
+    ++state.iterations;
+    if (!is_post(state.post)) return std::nullopt;
+    return Stepped{step, pull};
+}
+
+bool SilhouetteFitter::settle(const Task& task, RowLayout& layout, SilhouetteFit& state) {
     constexpr int most_iterations = 10;
     constexpr int settled = 5;  // then rows that come and go with the step would keep it from settling
     constexpr int most_readings = 3;
@@ -232,21 +252,9 @@ bool SilhouetteFitter::settle(const Task& task, RowLayout layout, SilhouetteFit&
         }
         if (iteration <= settled) smooth(state);
 
-        equations_ = {};
-        for (std::size_t side = 0; side < 2; ++side)
-            if (edges_[side])
-                add_rows(rows_[side], planes_[side], state.post.plane_change(sides[side]), outwards(side),
-                         1.5 * state.blur + 1.0, equations_);
-        prior_ = equations_of(task.prior, state.post);
-        const SilhouetteStep pull = equations_.pull + prior_.pull;
-        const SilhouetteStep step = step_of(equations_.information + prior_.information, pull);
-        if (!step.allFinite() || step.norm() > 0.5) return false;
-        state.post = upright(state.post.moved(step), task.prior);
-        // What is left to ask for.
-        equations_.pull -= equations_.information * step;
-        prior_.pull -= prior_.information * step;
-        ++state.iterations;
-        if (!is_post(state.post)) return false;
+        const auto stepped = step_once(task, state);
+        if (!stepped) return false;
+        const auto& [step, pull] = *stepped;
 
         if (blur_open) fit_blur(state);
         const double moved = task.camera.fx * step.cwiseAbs().maxCoeff();
@@ -267,6 +275,24 @@ bool SilhouetteFitter::settle(const Task& task, RowLayout layout, SilhouetteFit&
         }
     }
     return true;
+}
+
+bool SilhouetteFitter::finish(const Task& task, const RowLayout& layout, SilhouetteFit& state) {
+    // Neighbouring rows as a prior make a level's error one that they share: here each row has its own.
+    constexpr float unknown = 1e6F;
+    for (std::size_t side = 0; side < 2; ++side) planes_[side] = state.post.plane(sides[side]);
+    profile_.set_blur(state.blur, state.digital);
+    measure(state, false);
+    reader_.read_far(task.image, task.colour, layout, rows_);
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (!edges_[side]) continue;
+        EdgeRows& rows = rows_[side];
+        judge_far_levels(rows, static_cast<float>(state.noise[side]));
+        for (std::size_t i = 0; i < rows.count; ++i)
+            rows.inner_variance[i] = rows.outer_variance[i] = unknown;
+    }
+    measure(state, false);
+    return step_once(task, state).has_value();
 }
 
 void SilhouetteFitter::set_covariance(const SilhouettePrior& prior, SilhouetteFit& state) const {
@@ -296,7 +322,10 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
     state.blur = 0.9;
     edges_ = edges;
     const Task task{image, camera, colour, prior, least_contrast};
-    if (settle(task, layout, state)) set_covariance(prior, state);
+    RowLayout windows = layout;
+    if (!settle(task, windows, state)) return state;
+    if (state.converged && !finish(task, windows, state)) return state;
+    set_covariance(prior, state);
     return state;
 }
 

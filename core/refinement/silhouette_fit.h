@@ -11,6 +11,7 @@
 #include "core/refinement/step_profile.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -48,6 +49,10 @@ struct SilhouetteFit {
 /// gates rows (RowGate, and EdgeConsensus where they disagree). Blur and noise are fitted along with it,
 /// pooled over the rows that count.
 ///
+/// On the way each row's levels have its neighbours' as prior, which its own offset needs to be judged by; an
+/// error of theirs is one that rows share, and the sum of their information more than they know. The last
+/// step is without that prior, and has pixels farther from the edge tell the levels as well (far_levels.h).
+///
 /// The covariance is H⁻¹ with the rows' information scaled to the scatter they show, and by how much
 /// neighbouring rows' offsets resemble each other (compressed pictures).
 class SilhouetteFitter {
@@ -66,7 +71,14 @@ class SilhouetteFitter {
         double least_contrast;
     };
     /// Until rows ask for no more; false where there is no such silhouette.
-    bool settle(const Task& task, RowLayout layout, SilhouetteFit& state);
+    bool settle(const Task& task, RowLayout& layout, SilhouetteFit& state);
+    /// The last step.
+    bool finish(const Task& task, const RowLayout& layout, SilhouetteFit& state);
+    struct Stepped {
+        SilhouetteStep step, pull;
+    };
+    /// Gauss–Newton; nothing where there is no such silhouette.
+    std::optional<Stepped> step_once(const Task& task, SilhouetteFit& state);
     void read(const Task& task, RowLayout& layout, const SilhouetteFit& state);
     /// Where each row's edge is supposed to be, and measures it there.
     void measure(const SilhouetteFit& state, bool blur);
