@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/refinement/coarse_edges.h"
+#include "core/refinement/run_ends.h"
 #include "core/refinement/silhouette_fit.h"
 
 #include <array>
@@ -14,9 +15,10 @@ namespace goalmouth {
 ///         whether the others speak for another place does Place;
 /// Rival   how well crossings agree with another edge parallel to one of them (CoarseEdge::rival);
 /// Place   how much more evidence either edge's place has than the next best (EdgeConsensus);
-/// Width   the relative sigma of the distance.
-/// 0 where the fit has not converged. `rows`: in which edges were looked for.
+/// Ends    in how many rows the post's colour ends elsewhere than at either edge, against those where it
+/// does; Width   the relative sigma of the distance. 0 where the fit has not converged. `rows`: in which
+/// edges were looked for.
 double fit_quality(const SilhouetteFit& fit, const CoarseEdgeFinder::Edges& coarse,
-                   const std::array<bool, 2>& edges, int rows);
+                   const std::array<bool, 2>& edges, int rows, const std::array<RunEnds, 2>& ends);
 
 }  // namespace goalmouth

@@ -4,6 +4,7 @@
 #include "core/refinement/post_extent.h"
 #include "core/refinement/refined_measurement.h"
 #include "core/refinement/response_evidence.h"
+#include "core/refinement/run_ends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -185,7 +186,8 @@ std::string PostRefiner::measure(YuyvView image, const Intrinsics& camera, const
         edge = RefinedEdge{fit.post.plane(side == 0 ? OutlineSide::left : OutlineSide::right),
                            fit.scatter.agreeing[side]};
     }
-    refined.quality = fit_quality(fit, coarse, edges, layout.count);
+    refined.quality = fit_quality(fit, coarse, edges, layout.count,
+                                  run_ends(image, fit.post, colour, camera, extent, fit.blur));
     if (refined.quality < parameters_.least_quality) return "its pixels fit badly";
     if (!edges[0]) post.flags |= post_flag::left_edge_missing;
     if (!edges[1]) post.flags |= post_flag::right_edge_missing;

@@ -61,6 +61,24 @@ TEST(Clutter, BlackThingThatPeepsOutBesideThePostIsNotThePost) {
     }
 }
 
+TEST(Clutter, StraightSideOfWhatStandsBeforeThePostIsNotThePosts) {
+    // It hides the right part of the lower rows, to a detector that has taken its side for the post's: in the
+    // upper rows the post's colour goes on beyond.
+    DrawnPost scene = cluttered();
+    const Edges edges{scene.found()};
+    const double hidden = 0.4 * (edges.right(edges.row(0.5)) - edges.left(edges.row(0.5)));
+    scene.before = [&](double x, double y) -> std::optional<Levels> {
+        if (y > edges.row(0.65) && x > edges.right(y) - hidden && x < edges.right(y) + 20.0)
+            return Levels(40, 30, 90);
+        return std::nullopt;
+    };
+    PostRefiner refiner({}, {});
+    const YuyvImage image = scene.draw();
+    const RefinedPost refined =
+        refiner.refine(image.view(), {scene.found(0.0, -hidden)}, scene.camera, scene.pose()).front();
+    EXPECT_LT(refined.quality, 0.5) << refined.post.distance_m;
+}
+
 TEST(Clutter, ThirdColourBetweenPostAndBackgroundTakesRowsAndNotTheFit) {
     for (const double out : {1.2, 2.0}) {
         DrawnPost scene = cluttered();

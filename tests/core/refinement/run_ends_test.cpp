@@ -1,0 +1,90 @@
+#include "core/refinement/run_ends.h"
+
+#include "core/geometry/cylinder.h"
+#include "tests/core/refinement/drawn_post.h"
+
+#include <gtest/gtest.h>
+
+namespace goalmouth::test {
+namespace {
+
+constexpr double blur = 0.85;
+
+/// The silhouette of the scene's post with its edges turned outwards [px].
+PostSilhouette silhouette_of(const DrawnPost& scene, double left_out, double right_out) {
+    const auto truth = silhouette(scene.cylinder(), scene.T_WC());
+    const Eigen::Vector3d up = scene.T_WC().linear().transpose() * Eigen::Vector3d::UnitZ();
+    const auto turned = [&](const Eigen::Vector3d& plane, double px) {
+        return Eigen::AngleAxisd(px / scene.camera.fx, -up) * plane;
+    };
+    return silhouette_between(turned(truth->left_plane, -left_out), turned(truth->right_plane, right_out),
+                              up);
+}
+
+struct Seen {
+    std::array<RunEnds, 2> ends;
+    double width;  // px
+};
+
+Seen look(const DrawnPost& scene, const PostSilhouette& post) {
+    const YuyvImage image = scene.draw();
+    const Post corners = scene.found();
+    RoughOutline outline{corners.left_top, corners.left_base, corners.right_top, corners.right_base};
+    outline.first_row = static_cast<int>(corners.left_top.y()) + 2;
+    outline.last_row = static_cast<int>(corners.left_base.y()) - 2;
+    PostColour colour;
+    EXPECT_TRUE(PostColourEstimator().estimate(image.view(), outline, {}, CameraResponse::linear, colour));
+    PostExtent extent;
+    extent.first_edge_row = outline.first_row;
+    extent.last_edge_row = outline.last_row;
+    return {run_ends(image.view(), post, colour, scene.camera, extent, blur), outline.width()};
+}
+
+TEST(RunEnds, AreAtTheEdgesOfThePost) {
+    const DrawnPost scene = small_scene();
+    for (const RunEnds& ends : look(scene, silhouette_of(scene, 0.0, 0.0)).ends) {
+        EXPECT_GT(ends.here, 60);
+        EXPECT_LT(ends.rival(), 0.1);
+    }
+}
+
+TEST(RunEnds, LieWithinWhatIsTooWide) {
+    const DrawnPost scene = small_scene();
+    const auto ends = look(scene, silhouette_of(scene, 0.0, 8.0)).ends;
+    EXPECT_LT(ends[0].rival(), 0.1);
+    EXPECT_GT(ends[1].rival(), 5.0);
+}
+
+TEST(RunEnds, LieBeyondWhatIsTooNarrow) {
+    const DrawnPost scene = small_scene();
+    const auto ends = look(scene, silhouette_of(scene, 0.0, -6.0)).ends;
+    EXPECT_LT(ends[0].rival(), 0.1);
+    EXPECT_GT(ends[1].rival(), 5.0);
+}
+
+TEST(RunEnds, OfAThingOfThePostsColourBehindSomeRowsAreFewer) {
+    DrawnPost scene = small_scene();
+    const Post corners = scene.found();
+    const double end = corners.right_top.y() + 0.3 * (corners.right_base.y() - corners.right_top.y());
+    scene.behind = [&](double x, double y) {
+        return y < end && x > 0.5 * scene.camera.width && x < corners.right_top.x() + 9.0
+                   ? scene.post
+                   : Levels(150, 150, 155);
+    };
+    const auto ends = look(scene, silhouette_of(scene, 0.0, 0.0)).ends;
+    EXPECT_GT(ends[1].elsewhere, 15);
+    EXPECT_LT(ends[1].rival(), 0.8);
+}
+
+TEST(RunEnds, AreNoneWhereTheColourGoesOnToThePicturesSide) {
+    DrawnPost scene = small_scene();
+    scene.behind = [&](double x, double) {
+        return x > 0.5 * scene.camera.width ? scene.post : Levels(150, 150, 155);
+    };
+    const auto ends = look(scene, silhouette_of(scene, 0.0, 0.0)).ends;
+    EXPECT_LT(ends[1].elsewhere, 5);
+    EXPECT_LT(ends[1].here, 5);
+}
+
+}  // namespace
+}  // namespace goalmouth::test
