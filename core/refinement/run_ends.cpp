@@ -78,8 +78,11 @@ std::array<RunEnds, 2> run_ends(YuyvView image, const PostSilhouette& post, cons
         for (std::size_t side = 0; side < 2; ++side) {
             const int outwards = side == 0 ? -1 : 1;
             const int last = pair_at(edge[side] + outwards * (width + beyond));
+            // In strides as long as the post's colour goes on, then pair by pair.
             int pair = pair_at(edge[0] + *middle * width);
-            while (pair != last && row.shows(pair + outwards)) pair += outwards;
+            for (int stride = std::max(1, static_cast<int>(width / 24.0)); stride > 0; stride /= 2)
+                while (outwards * (last - pair) >= stride && row.shows(pair + outwards * stride))
+                    pair += outwards * stride;
             // Between the last pair and the next.
             if (pair != last && row.holds(pair + outwards))
                 distances[side].push_back(outwards * (2.0 * pair + 0.5 + outwards - edge[side]));

@@ -282,7 +282,6 @@ bool SilhouetteFitter::finish(const Task& task, const RowLayout& layout, Silhoue
     constexpr float unknown = 1e6F;
     for (std::size_t side = 0; side < 2; ++side) planes_[side] = state.post.plane(sides[side]);
     profile_.set_blur(state.blur, state.digital);
-    measure(state, false);
     reader_.read_far(task.image, task.colour, layout, rows_);
     for (std::size_t side = 0; side < 2; ++side) {
         if (!edges_[side]) continue;
