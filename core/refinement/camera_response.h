@@ -2,7 +2,9 @@
 
 #include "core/imaging/yuyv.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include <Eigen/Core>
@@ -45,6 +47,13 @@ class PairRow {
         if (response_ == CameraResponse::srgb) return light(pair);
         return {0.5F * static_cast<float>(p[0] + p[2]), static_cast<float>(p[1]) - 128.0F,
                 static_cast<float>(p[3]) - 128.0F};
+    }
+
+    /// The pair whose middle is nearest to a column [px], inside the row or not; some pair far outside where
+    /// the column is farther than any picture reaches.
+    static int pair_at(double column) {
+        constexpr double far = 1e6;  // px
+        return static_cast<int>(std::lround(0.5 * (std::clamp(column, -far, far) - 0.5)));
     }
 
   private:

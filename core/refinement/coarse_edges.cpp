@@ -105,8 +105,8 @@ void CoarseEdgeFinder::collect(YuyvView image, const RoughOutline& outline, cons
         const double start = is_left ? left + inwards : right - inwards;
         const double end = is_left ? left - search.tolerance - blur : right + search.tolerance + blur;
         const Walk walk(image, y, colour);
-        const auto x = end_of_colour(walk, colour, static_cast<int>(std::lround(0.5 * (start - 0.5))),
-                                     static_cast<int>(std::lround(0.5 * (end - 0.5))), search.least_contrast);
+        const auto x = end_of_colour(walk, colour, PairRow::pair_at(start), PairRow::pair_at(end),
+                                     search.least_contrast);
         if (!x) continue;
         const double row = std::min(y + 0.5, image.height - 1.0);
         const RowRay ray = rays.at(*x, row);

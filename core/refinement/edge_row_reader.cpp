@@ -13,11 +13,6 @@ namespace {
 constexpr std::size_t neighbours = 4;  // rows on either side that help to tell a background's colour
 constexpr int least_pairs = 3;
 
-int pair_at(double x) {
-    constexpr double far = 1e6;  // px, beyond every picture
-    return static_cast<int>(std::lround(0.5 * (std::clamp(x, -far, far) - 0.5)));
-}
-
 std::uint32_t word_at(const std::uint8_t* p) {
     return static_cast<std::uint32_t>(p[0]) | static_cast<std::uint32_t>(p[1]) << 8 |
            static_cast<std::uint32_t>(p[2]) << 16 | static_cast<std::uint32_t>(p[3]) << 24;
@@ -57,12 +52,12 @@ void EdgeRowReader::read_side(YuyvView image, const PostColour& colour, const Ro
             const double edge = rows.column[i], width = both[1].column[i] - both[0].column[i];
             if (!std::isfinite(edge) || !(width > 0.0)) continue;
             // An edge at the picture's border whose blur is cut off is no edge.
-            const int least = pair_at(edge + outwards * (2.0 * blur + 1.0));
+            const int least = PairRow::pair_at(edge + outwards * (2.0 * blur + 1.0));
             if (least < 0 || least >= pairs) continue;
             const double inner_end = edge - outwards * std::min(layout.inner, 0.5 * width);
             const double outer_end = edge + outwards * layout.outer;
-            const int first = std::max(0, pair_at(std::min(inner_end, outer_end)));
-            const int last = std::min({pair_at(std::max(inner_end, outer_end)), pairs - 1,
+            const int first = std::max(0, PairRow::pair_at(std::min(inner_end, outer_end)));
+            const int last = std::min({PairRow::pair_at(std::max(inner_end, outer_end)), pairs - 1,
                                        first + static_cast<int>(EdgeRows::most_pairs) - 1});
             if (last - first + 1 < least_pairs) continue;
             rows.pairs[i] = static_cast<float>(last - first + 1);
@@ -181,12 +176,12 @@ void EdgeRowReader::read_far(YuyvView image, const PostColour& colour, const Row
         const double outwards = side == 0 ? -1.0 : 1.0;
         for (std::size_t i = 0; i < rows.count; ++i) {
             if (!rows.seen(i)) continue;
-            const int first = static_cast<int>(std::lround(0.5 * (rows.first[i] - 0.5)));
+            const int first = PairRow::pair_at(rows.first[i]);
             const int last = first + static_cast<int>(rows.pairs[i]) - 1;
             const double width = both[1].column[i] - both[0].column[i];
             const int inner_end =
-                pair_at(rows.column[i] - outwards * std::min(layout.far_inner, 0.5 * width));
-            const int outer_end = pair_at(rows.column[i] + outwards * layout.far_outer);
+                PairRow::pair_at(rows.column[i] - outwards * std::min(layout.far_inner, 0.5 * width));
+            const int outer_end = PairRow::pair_at(rows.column[i] + outwards * layout.far_outer);
             const auto level = [&](int from, int to, RowColumn<float>& mean, RowColumn<float>& number) {
                 from = std::max(from, 0);
                 to = std::min(to, pairs - 1);

@@ -23,8 +23,8 @@ class Follower {
         const double right = clamped(rays_.crossing(right_plane_, outline_.right(row), row).x);
         if (!(right - left > 1.0)) return false;
         const double inset = 0.3 * (right - left);
-        const int first = static_cast<int>(std::lround(0.5 * (left + inset - 0.5)));
-        const int last = static_cast<int>(std::lround(0.5 * (right - inset - 0.5)));
+        const int first = PairRow::pair_at(left + inset);
+        const int last = PairRow::pair_at(right - inset);
         const int step = std::max(1, (last - first) / 4);
         const PairRow pairs(image_.row(row), image_.width / 2, colour_.response);
         PairColour sum = PairColour::Zero();
@@ -49,7 +49,7 @@ class Follower {
     double clamped(double x) const { return std::clamp(x, -1.0, static_cast<double>(image_.width)); }
     bool inside(int pair) const { return pair >= 0 && 2 * pair + 1 < image_.width; }
     bool differs(int row, double x) const {
-        const int pair = static_cast<int>(std::lround(0.5 * (x - 0.5)));
+        const int pair = PairRow::pair_at(x);
         return inside(pair) &&
                colour_.difference(PairRow(image_.row(row), image_.width / 2, colour_.response)[pair]) >
                    2.0F * alike_ * colour_.spread;

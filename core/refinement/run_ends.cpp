@@ -10,10 +10,6 @@ namespace {
 
 constexpr float unlike = 20.0F;  // eᵀMe of a pair that is not of the post's colour
 
-int pair_at(double x) {
-    return static_cast<int>(std::lround(0.5 * (x - 0.5)));
-}
-
 /// A row's pairs as the post's colour or not.
 class ColourRow {
   public:
@@ -72,14 +68,15 @@ std::array<RunEnds, 2> run_ends(YuyvView image, const PostSilhouette& post, cons
         rows += 1.0;
         const ColourRow row(image, y, colour);
         const auto middle = std::find_if(middles.begin(), middles.end(), [&](double share) {
-            return row.shows(pair_at(edge[0] + share * width));
+            return row.shows(PairRow::pair_at(edge[0] + share * width));
         });
         if (middle == middles.end()) continue;
         for (std::size_t side = 0; side < 2; ++side) {
             const int outwards = side == 0 ? -1 : 1;
-            const int last = pair_at(edge[side] + outwards * (width + beyond));
-            // In strides as long as the post's colour goes on, then pair by pair.
-            int pair = pair_at(edge[0] + *middle * width);
+            const int last = PairRow::pair_at(edge[side] + outwards * (width + beyond));
+            // In strides as long as the post's colour goes on, then pair by pair. What is narrower than a
+            // stride, a twelfth of the post, does not end it.
+            int pair = PairRow::pair_at(edge[0] + *middle * width);
             for (int stride = std::max(1, static_cast<int>(width / 24.0)); stride > 0; stride /= 2)
                 while (outwards * (last - pair) >= stride && row.shows(pair + outwards * stride))
                     pair += outwards * stride;

@@ -14,7 +14,7 @@ struct RunEnds {
     int here = 0;       // rows in which it ends at the edge
     int elsewhere = 0;  // the most that end at one other distance from it, within the post's width
 
-    /// 0 where all end at the edge; 1: at another place as many, as where the edge is not the post's.
+    /// 0 where all end at the edge; 1 where as many end at another place.
     double rival() const { return elsewhere / (here > 0 ? static_cast<double>(here) : 1.0); }
 };
 

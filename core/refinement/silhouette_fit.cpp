@@ -278,8 +278,7 @@ bool SilhouetteFitter::settle(const Task& task, RowLayout& layout, SilhouetteFit
 }
 
 bool SilhouetteFitter::finish(const Task& task, const RowLayout& layout, SilhouetteFit& state) {
-    // Neighbouring rows as a prior make a level's error one that they share: here each row has its own.
-    constexpr float unknown = 1e6F;
+    constexpr float unknown = 1e6F;  // variance: nothing known of a level but by the row's own pixels
     for (std::size_t side = 0; side < 2; ++side) planes_[side] = state.post.plane(sides[side]);
     profile_.set_blur(state.blur, state.digital);
     reader_.read_far(task.image, task.colour, layout, rows_);
@@ -322,9 +321,8 @@ SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, co
     edges_ = edges;
     const Task task{image, camera, colour, prior, least_contrast};
     RowLayout windows = layout;
-    if (!settle(task, windows, state)) return state;
-    if (state.converged && !finish(task, windows, state)) return state;
-    set_covariance(prior, state);
+    if (settle(task, windows, state) && (!state.converged || finish(task, windows, state)))
+        set_covariance(prior, state);
     return state;
 }
 
