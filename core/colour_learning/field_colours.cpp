@@ -89,7 +89,7 @@ bool compact(const Blobs& blobs, int i) {
 }  // namespace
 
 std::optional<ChromaRegion> find_field_colour(std::span<const YuyvImage> pictures) {
-    ChromaHistogram histogram, all;
+    ChromaHistogram histogram, lower, all;
     double most = 0.0;
     for (const YuyvImage& picture : pictures) {
         const YuyvView image = picture.view();
@@ -99,21 +99,23 @@ std::optional<ChromaRegion> find_field_colour(std::span<const YuyvImage> picture
         for (int y = image.height / 2; y < image.height; ++y) {
             for (int x = 0; x < image.width; ++x) {
                 const Ycbcr p = image.at(x, y);
-                all.add(p, vote);
+                lower.add(p, vote);
                 if (!is_green(p)) continue;
                 histogram.add(p, vote);
                 green += static_cast<double>(vote);
             }
         }
         most = std::max(most, green);
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) all.add(image.at(x, y), vote);
     }
     if (most < least_green) return std::nullopt;
-    ChromaRegion region = histogram.region_around_mode();
+    const ChromaRegion region = histogram.region_around_mode();
     // Noise makes grey walls a little green, too: they have their peak at grey.
-    const cv::Point2d peak = all.highest_near(region.cb, region.cr);
+    const cv::Point2d peak = lower.highest_near(region.cb, region.cr);
     if (!is_green({128, static_cast<std::uint8_t>(peak.x), static_cast<std::uint8_t>(peak.y)}))
         return std::nullopt;
-    return region;
+    return all.without_rivals(region);
 }
 
 std::optional<ChromaRegion> find_line_colour(std::span<const YuyvImage> pictures, const ChromaRegion& field) {

@@ -128,9 +128,11 @@ std::vector<Ycbcr> pixels_in_posts(YuyvView image, std::span<const PostOutline> 
 }
 
 ChromaRegion find_field_colour(std::span<const LabelledScene> scenes) {
-    ChromaHistogram histogram;
+    ChromaHistogram histogram, all;
     for (const LabelledScene& scene : scenes) {
         const YuyvView image = scene.image.view();
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; x += 2) all.add(image.at(x, y));
         for (int y = first_pitch_row(scene); y < image.height; ++y) {
             for (int x = 0; x < image.width; x += 2) {
                 const Ycbcr p = image.at(x, y);
@@ -140,7 +142,7 @@ ChromaRegion find_field_colour(std::span<const LabelledScene> scenes) {
         }
     }
     if (histogram.empty()) throw std::invalid_argument("no picture shows green where the field should be");
-    return histogram.region_around_mode();
+    return all.without_rivals(histogram.region_around_mode());
 }
 
 ChromaRegion find_goal_colour(std::span<const LabelledScene> scenes) {

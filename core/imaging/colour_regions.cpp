@@ -9,6 +9,26 @@ namespace goalmouth {
 namespace {
 
 constexpr double region_threshold = 0.02;  // of the mode's frequency
+constexpr double least_of_mode = 0.5;      // a rival's distance from grey in the mode's hue, of the mode's
+
+/// Of the cell and its eight neighbours the highest.
+cv::Point uphill(const cv::Mat& heights, cv::Point cell) {
+    const cv::Rect near = cv::Rect(cell.x - 1, cell.y - 1, 3, 3) & cv::Rect(0, 0, heights.cols, heights.rows);
+    cv::Point highest = cell;
+    for (int y = near.y; y < near.br().y; ++y)
+        for (int x = near.x; x < near.br().x; ++x)
+            if (heights.at<float>(y, x) > heights.at<float>(highest)) highest = {x, y};
+    return highest;
+}
+
+cv::Point peak_above(const cv::Mat& heights, cv::Point cell) {
+    for (cv::Point next = uphill(heights, cell); next != cell; next = uphill(heights, cell)) cell = next;
+    return cell;
+}
+
+double centre_of_cell(int index) {
+    return index * 4.0 + 2.0;
+}
 
 }  // namespace
 
@@ -27,7 +47,7 @@ cv::Point2d ChromaHistogram::highest_near(double cb, double cr) const {
     cv::Point highest;
     cv::minMaxLoc(smooth(near), nullptr, nullptr, nullptr, &highest);
     highest += near.tl();
-    return {highest.y * 4.0 + 2.0, highest.x * 4.0 + 2.0};
+    return {centre_of_cell(highest.y), centre_of_cell(highest.x)};
 }
 
 ChromaRegion ChromaHistogram::region_around_mode() const {
@@ -40,9 +60,27 @@ ChromaRegion ChromaHistogram::region_around_mode() const {
     cv::connectedComponents(above, components, 8, CV_32S);
     ChromaRegion region;
     region.cells = components == components.at<int>(mode);
-    region.cr = mode.x * 4.0 + 2.0;
-    region.cb = mode.y * 4.0 + 2.0;
+    region.cr = centre_of_cell(mode.x);
+    region.cb = centre_of_cell(mode.y);
     return region;
+}
+
+ChromaRegion ChromaHistogram::without_rivals(const ChromaRegion& region) const {
+    const cv::Mat smooth = smoothed();
+    const double cb = region.cb - 128.0, cr = region.cr - 128.0;
+    const double least = least_of_mode * (cb * cb + cr * cr);
+    ChromaRegion cut = region;
+    cut.cells = region.cells.clone();
+    for (int y = 0; y < cut.cells.rows; ++y) {
+        for (int x = 0; x < cut.cells.cols; ++x) {
+            if (!cut.cells.at<std::uint8_t>(y, x)) continue;
+            const cv::Point peak = peak_above(smooth, {x, y});
+            const double along =
+                cb * (centre_of_cell(peak.y) - 128.0) + cr * (centre_of_cell(peak.x) - 128.0);
+            if (along < least) cut.cells.at<std::uint8_t>(y, x) = 0;
+        }
+    }
+    return cut;
 }
 
 double image_scale(int width) {

@@ -77,6 +77,16 @@ INSTANTIATE_TEST_SUITE_P(ColourLearner, Lights,
                                          Case{"cold", {0.85, 1.0, 1.2}}, Case{"dark", {0.4, 0.4, 0.4}}),
                          [](const auto& one) { return one.param.name; });
 
+TEST(ColourLearner, AWallInTheCarpetsReflectionIsNotField) {
+    DrawnPitch pitch;
+    pitch.wall = {142, 160, 146};
+    pitch.light = {0.6, 0.6, 0.6};
+    const LearntColours learnt = learn_without_labels(pictures_of(pitch, 6), GoalPaint::yellow, 6, "t");
+    EXPECT_GE(agreement(learnt.table, pitch, Colour::field).precision, 0.95);
+    EXPECT_GE(agreement(learnt.table, pitch, Colour::field).recall, 0.95);
+    EXPECT_GE(agreement(learnt.table, pitch, Colour::goal).recall, 0.95);
+}
+
 TEST(ColourLearner, WhiteGoalsAreTheClassGoal) {
     DrawnPitch pitch;
     pitch.goal = {226, 228, 228};

@@ -22,6 +22,7 @@ struct Light {
 
 struct DrawnPitch {
     cv::Vec3d goal{40, 190, 225};  // BGR under Light{}
+    cv::Vec3d wall{150, 158, 160};
     bool ball = true;
     bool posts = true;
     bool lines = true;
@@ -42,7 +43,7 @@ struct DrawnPicture {
 inline DrawnPicture draw_pitch(const DrawnPitch& pitch, unsigned n) {
     cv::RNG random(n + 1);
     const cv::Size size(640, 480);
-    cv::Mat bgr(size, CV_64FC3, cv::Scalar(150, 158, 160));
+    cv::Mat bgr(size, CV_64FC3, cv::Scalar(pitch.wall[0], pitch.wall[1], pitch.wall[2]));
     cv::Mat truth(size, CV_8UC1, cv::Scalar(0));
     std::vector<cv::Rect> posts;
     const auto fill = [&](const cv::Rect& box, const cv::Vec3d& colour, Colour c) {
