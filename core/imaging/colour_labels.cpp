@@ -150,7 +150,7 @@ ChromaRegion find_goal_colour(std::span<const LabelledScene> scenes) {
     for (const LabelledScene& scene : scenes)
         for (const Ycbcr p : pixels_in_posts(scene.image.view(), scene.posts)) histogram.add(p);
     if (histogram.empty()) throw std::invalid_argument("no picture has a post marked in it");
-    return histogram.region_around_mode();
+    return histogram.shades_of_mode();
 }
 
 cv::Mat label_scene(const LabelledScene& scene, const SceneColours& colours) {

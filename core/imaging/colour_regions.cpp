@@ -1,6 +1,9 @@
 #include "core/imaging/colour_regions.h"
 
+#include "core/imaging/colour_rules.h"
+
 #include <algorithm>
+#include <cmath>
 
 #include <opencv2/imgproc.hpp>
 
@@ -9,6 +12,8 @@ namespace goalmouth {
 namespace {
 
 constexpr double region_threshold = 0.02;  // of the mode's frequency
+constexpr double least_of_shade = 0.05;    // of all samples
+constexpr double same_hue = 14.0;          // [deg]
 constexpr double least_of_mode = 0.5;      // a rival's distance from grey in the mode's hue, of the mode's
 
 /// Of the cell and its eight neighbours the highest.
@@ -28,6 +33,24 @@ cv::Point peak_above(const cv::Mat& heights, cv::Point cell) {
 
 double centre_of_cell(int index) {
     return index * 4.0 + 2.0;
+}
+
+double hue_of(double cb, double cr) {
+    return chroma_polar(128.0, cb - 128.0, cr - 128.0).hue;
+}
+
+ChromaRegion region_of_mode(const cv::Mat& smooth) {
+    double peak = 0.0;
+    cv::Point mode;
+    cv::minMaxLoc(smooth, nullptr, &peak, nullptr, &mode);
+    cv::Mat above = smooth >= peak * region_threshold;
+    cv::Mat components;
+    cv::connectedComponents(above, components, 8, CV_32S);
+    ChromaRegion region;
+    region.cells = components == components.at<int>(mode);
+    region.cr = centre_of_cell(mode.x);
+    region.cb = centre_of_cell(mode.y);
+    return region;
 }
 
 }  // namespace
@@ -51,17 +74,29 @@ cv::Point2d ChromaHistogram::highest_near(double cb, double cr) const {
 }
 
 ChromaRegion ChromaHistogram::region_around_mode() const {
+    return region_of_mode(smoothed());
+}
+
+ChromaRegion ChromaHistogram::shades_of_mode() const {
     const cv::Mat smooth = smoothed();
+    ChromaRegion region = region_of_mode(smooth);
     double peak = 0.0;
-    cv::Point mode;
-    cv::minMaxLoc(smooth, nullptr, &peak, nullptr, &mode);
-    cv::Mat above = smooth >= peak * region_threshold;
+    cv::minMaxLoc(smooth, nullptr, &peak);
+    cv::Mat rest = smooth >= peak * region_threshold;
+    rest.setTo(0, region.cells);
     cv::Mat components;
-    cv::connectedComponents(above, components, 8, CV_32S);
-    ChromaRegion region;
-    region.cells = components == components.at<int>(mode);
-    region.cr = centre_of_cell(mode.x);
-    region.cb = centre_of_cell(mode.y);
+    const int count = cv::connectedComponents(rest, components, 8, CV_32S);
+    const double hue = hue_of(region.cb, region.cr), all = cv::sum(cells_)[0];
+    for (int i = 1; i < count; ++i) {
+        const cv::Mat own = components == i;
+        cv::Mat samples = cv::Mat::zeros(cells_.size(), cells_.type());
+        cells_.copyTo(samples, own);
+        if (cv::sum(samples)[0] < least_of_shade * all) continue;
+        cv::Point highest;
+        cv::minMaxLoc(smooth, nullptr, nullptr, nullptr, &highest, own);
+        const double off = hue_of(centre_of_cell(highest.y), centre_of_cell(highest.x)) - hue;
+        if (std::abs(std::remainder(off, 360.0)) <= same_hue) region.cells.setTo(255, own);
+    }
     return region;
 }
 
