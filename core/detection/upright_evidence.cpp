@@ -11,7 +11,7 @@ constexpr double both_edges = 2.0, one_edge = 1.0, no_edge = -0.3, hidden = -0.8
 // What it counts besides where all between the edges is field.
 constexpr double shows_field = -3.0;
 // And one beyond them.
-constexpr double goes_on_beside = -0.75, goes_on = -5.0;
+constexpr double goes_on_beside = -0.75, goes_on = -5.0, hangs = -1.5;
 
 /// Slopes of the rows along an upright line: followed in a few of them, a parabola in between.
 template <class Rows>
@@ -121,6 +121,11 @@ UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const U
                              [](const Row& row, double s) { return row.slope > s; }) -
             rows_.begin());
     };
+    // Two rows of doubt, for the line along the border.
+    const std::size_t border =
+        candidates.border.empty()
+            ? 0
+            : std::max<std::size_t>(row_below(candidates.border_slope(edges.middle(0.0))), 2) - 2;
     const double distance = size_.radius / std::sin(edges.half_angle());
     const double near = std::max(0.5 * distance, distance - size_.radius);
     const double height = view.height().value_or(0.5 * size_.height);
@@ -145,7 +150,8 @@ UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const U
         if (end <= begin) continue;
         const std::size_t above = row_below(at_top + margin), below = row_below(at_base - base_margin);
         const double leaves = sigma > 0.0 ? shift / sigma : 0.0;
-        const double score = inside_[end] - inside_[begin] + outside_[above] + outside_[n] - outside_[below] -
+        const double score = inside_[end] - inside_[begin] + outside_[above] + outside_[n] - outside_[below] +
+                             (border > end ? hangs * static_cast<double>(border - end) : 0.0) -
                              0.5 * leaves * leaves;
         if (!first && score <= best.score) continue;
         first = false;

@@ -47,7 +47,8 @@ struct UprightEvidence {
 ///   −1.5  the same, above all that shows an edge: what stands on the field hides feet sooner than tops,
 ///     −3  besides, as far as the field shows between the edges: nothing hides the post there, there is none;
 /// and one above or below the ends, where there is no post,
-///   −0.75 for one edge, −5 for both where a post's would be, beside its colour: it is longer than posts are.
+///   −0.75 for one edge, −5 for both where a post's would be, beside its colour: it is longer than posts are,
+///   −1.5  below its base and above the field's border: a post does not hang over what lies behind the field.
 /// The picture's border is no edge, and no missing one.
 class UprightJudge {
   public:

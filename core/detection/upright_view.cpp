@@ -1,5 +1,7 @@
 #include "core/detection/upright_view.h"
 
+#include "core/geometry/convex_hull.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -86,6 +88,35 @@ void UprightCandidates::take(const Candidates& candidates, const UprightView& vi
         if (usable(start) && usable(end)) field.push_back({start, end, row_at(f.line), false, false});
     }
     thin(field);
+    find_border(candidates, view);
+}
+
+void UprightCandidates::find_border(const Candidates& candidates, const UprightView& view) {
+    border.clear();
+    field_ends_.clear();
+    for (const FieldRun& f : candidates.field) {
+        field_ends_.emplace_back(f.start, f.line);
+        field_ends_.emplace_back(f.end, f.line);
+    }
+    if (field_ends_.empty()) return;
+    upper_hull(field_ends_, hull_);
+    constexpr int columns = 64;  // straight in the picture is not straight about the vertical
+    const double first = hull_.front().x(), step = (hull_.back().x() - first) / columns;
+    for (int i = 0; i <= columns; ++i) {
+        const double x = first + i * step;
+        const UprightRay ray = view.ray({x, chain_y_at(hull_, x)});
+        if (usable(ray) && (border.empty() || ray.azimuth > border.back().azimuth)) border.push_back(ray);
+    }
+}
+
+double UprightCandidates::border_slope(double azimuth) const {
+    const auto after = std::lower_bound(border.begin(), border.end(), azimuth,
+                                        [](const UprightRay& ray, double a) { return ray.azimuth < a; });
+    if (after == border.begin()) return after->slope;
+    if (after == border.end()) return border.back().slope;
+    const UprightRay& before = *(after - 1);
+    const double share = (azimuth - before.azimuth) / (after->azimuth - before.azimuth);
+    return before.slope + share * (after->slope - before.slope);
 }
 
 void UprightCandidates::find_rows(const Candidates& candidates) {

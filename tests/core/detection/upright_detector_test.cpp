@@ -217,6 +217,34 @@ TEST(UprightDetector, DoesNotTakeWhatHangsOnAWallForAPost) {
     EXPECT_EQ(detect(c, robot, std::nullopt).size(), 1U) << "nobody knows where the ground is";
 }
 
+TEST(UprightDetector, WhatShowsAboveTheFieldsBorderAloneIsNoPostWhereverTheGroundIs) {
+    Robot robot;
+    robot.pitch = 0.2;
+    const auto border = project(robot.camera, robot.T_BC().inverse() * Eigen::Vector3d(3.0, 0.0, 0.0));
+    ASSERT_TRUE(border);
+    Candidates c = empty_frame(robot.camera);
+    for (int y = 2; y < c.height; y += spacing)
+        if (y > border->y()) c.field.push_back({y, 0, c.width - 1});
+    // Of a post six metres away the upper half is as much as this shows.
+    Candidates with_poster = c;
+    Cylinder poster = post_at(6.0, 0.0, 0.5);
+    poster.base.z() = 0.6;
+    add(with_poster, robot, poster);
+    EXPECT_TRUE(detect(with_poster, robot, std::nullopt).empty());
+    with_poster.field.clear();
+    EXPECT_EQ(detect(with_poster, robot, std::nullopt).size(), 1U) << "nobody knows where the ground is";
+
+    // As far as the border's own row, posts stand on the field; one's foot may be hidden by something.
+    for (const double distance : {1.5, 2.9}) {
+        Candidates with_post = c;
+        for (FieldRun& run : with_post.field)
+            run.end = with_post.width / 2 - 60;  // something stands in its columns
+        add(with_post, robot, post_at(distance, 0.0),
+            [](Row& row, double from_top) { row.shows = from_top < 0.7; });
+        EXPECT_EQ(detect(with_post, robot, std::nullopt).size(), 1U) << distance << " m";
+    }
+}
+
 TEST(UprightDetector, NeedsNoPose) {
     for (const double roll : {0.0, 15.0, -15.0}) {
         Robot robot;
