@@ -11,8 +11,9 @@
 namespace goalmouth {
 
 /// The carpet's colour: the commonest green of the pictures' lower halves, in which each picture has one
-/// vote, and the chroma around it. Green is what has more green than red and than blue (hue 171…289°), by 6
-/// levels of chroma or more; nothing where not a twentieth of any picture's lower half is.
+/// vote, and the chroma around it up to where another surface's begins (ChromaHistogram::without_rivals).
+/// Green is what has more green than red and than blue (hue 171…289°), by 6 levels of chroma or more; nothing
+/// where not a twentieth of any picture's lower half is.
 std::optional<ChromaRegion> find_field_colour(std::span<const YuyvImage> pictures);
 
 /// The colour of the lines on a field of that colour: what is brighter than the carpet around it, long and

@@ -89,6 +89,16 @@ void UprightJudge::look(const UprightCandidates& candidates, const UprightView& 
     }
 }
 
+UprightJudge::Horizon UprightJudge::horizon_of(const UprightCandidates& candidates, const UprightEdges& edges,
+                                               double distance) const {
+    Horizon horizon;
+    if (candidates.border.empty()) return horizon;
+    horizon.border = candidates.border_slope(edges.middle(0.0));
+    constexpr double heights = 2.0, doubt = 0.1;  // green things behind the field raise its border
+    horizon.deepest_base = horizon.border - heights * size_.height / distance - doubt;
+    return horizon;
+}
+
 UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const UprightView& view,
                                     const UprightEdges& edges, double tolerance) {
     UprightEvidence best;
@@ -121,14 +131,12 @@ UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const U
                              [](const Row& row, double s) { return row.slope > s; }) -
             rows_.begin());
     };
-    // Two rows of doubt, for the line along the border.
-    const std::size_t border =
-        candidates.border.empty()
-            ? 0
-            : std::max<std::size_t>(row_below(candidates.border_slope(edges.middle(0.0))), 2) - 2;
     const double distance = size_.radius / std::sin(edges.half_angle());
     const double near = std::max(0.5 * distance, distance - size_.radius);
     const double height = view.height().value_or(0.5 * size_.height);
+    const Horizon horizon = horizon_of(candidates, edges, near);
+    // Two rows of doubt, for the line along the border.
+    const std::size_t border = std::max<std::size_t>(row_below(horizon.border), 2) - 2;
     const double rise = size_.height - height;
     const double base = -height / near;
     const double top = rise / (rise > 0.0 ? near : distance + size_.radius);
@@ -147,7 +155,7 @@ UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const U
         const double stretch = 1.0 + middle * middle;  // a turn moves slopes by 1 + t²
         const double at_top = top + shift * stretch, at_base = base + shift * stretch;
         const std::size_t begin = row_below(at_top), end = row_below(at_base);
-        if (end <= begin) continue;
+        if (end <= begin || at_base < horizon.deepest_base) continue;
         const std::size_t above = row_below(at_top + margin), below = row_below(at_base - base_margin);
         const double leaves = sigma > 0.0 ? shift / sigma : 0.0;
         const double score = inside_[end] - inside_[begin] + outside_[above] + outside_[n] - outside_[below] +

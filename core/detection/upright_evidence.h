@@ -3,6 +3,7 @@
 #include "core/detection/upright_view.h"
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -50,6 +51,9 @@ struct UprightEvidence {
 ///   −0.75 for one edge, −5 for both where a post's would be, beside its colour: it is longer than posts are,
 ///   −1.5  below its base and above the field's border: a post does not hang over what lies behind the field.
 /// The picture's border is no edge, and no missing one.
+///
+/// Nor does a base lie deeper below the field's border than it could: the border is below the horizon and the
+/// camera no higher than goals are, so by H / (D − r) at most; twice that and 0.1 pass.
 class UprightJudge {
   public:
     explicit UprightJudge(const UprightSize& size) : size_(size) {}
@@ -63,6 +67,12 @@ class UprightJudge {
         bool covered = false, left = false, right = false, cut = false;
         double field = 0.0;  // share of what lies between the edges, but for the tolerance
     };
+    /// What the field's border says of a post's base, as slopes; without one, nothing.
+    struct Horizon {
+        double border = std::numeric_limits<double>::infinity();
+        double deepest_base = -std::numeric_limits<double>::infinity();
+    };
+    Horizon horizon_of(const UprightCandidates& candidates, const UprightEdges& edges, double distance) const;
     void look(const UprightCandidates& candidates, const UprightView& view, const UprightEdges& edges,
               double tolerance);
 

@@ -30,12 +30,13 @@ struct LabelledScene {
 };
 
 /// The carpet's colour: the mode of green (hue 180…290°) among pixels under the posts' bases, or in the lower
-/// half where no post is in the picture, and all chroma around it that is at least 2 % as frequent. Throws
-/// std::invalid_argument where there is no green at all.
+/// half where no post is in the picture, and all chroma around it that is at least 2 % as frequent, up to
+/// where another surface's begins (ChromaHistogram::without_rivals). Throws std::invalid_argument where there
+/// is no green at all.
 ChromaRegion find_field_colour(std::span<const LabelledScene> scenes);
 
-/// The posts' colour in the same manner, from the pixels inside their outlines. Throws std::invalid_argument
-/// without a post.
+/// The posts' colour: the mode of the pixels inside their outlines and the chroma around it, in all the light
+/// they stand in (ChromaHistogram::shades_of_mode). Throws std::invalid_argument without a post.
 ChromaRegion find_goal_colour(std::span<const LabelledScene> scenes);
 
 /// The pixels inside the outlines, a sixth of the width (and 1.5 px) away from each edge.

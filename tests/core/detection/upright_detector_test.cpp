@@ -245,6 +245,19 @@ TEST(UprightDetector, WhatShowsAboveTheFieldsBorderAloneIsNoPostWhereverTheGroun
     }
 }
 
+TEST(UprightDetector, AStickBeforeTheFeetIsNoPostFarAway) {
+    // In the picture as wide and as high as a post five metres away; the field reaches farther than the
+    // picture.
+    Robot robot;
+    robot.pitch = 0.45;
+    constexpr double scale = 0.6 / 5.0;
+    Candidates c = empty_frame(robot.camera);
+    add(c, robot, post_at(0.6, 0.0, scale * 0.95, scale * 0.05));
+    EXPECT_EQ(detect(c, robot, std::nullopt).size(), 1U) << "nobody knows where the ground is";
+    for (int y = 2; y < c.height; y += spacing) c.field.push_back({y, 0, c.width / 2 - 40});
+    EXPECT_TRUE(detect(c, robot, std::nullopt).empty());
+}
+
 TEST(UprightDetector, NeedsNoPose) {
     for (const double roll : {0.0, 15.0, -15.0}) {
         Robot robot;
