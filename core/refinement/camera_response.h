@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/imaging/yuyv.h"
+#include "core/refinement/whole_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -53,7 +54,7 @@ class PairRow {
     /// the column is farther than any picture reaches.
     static int pair_at(double column) {
         constexpr double far = 1e6;  // px
-        return static_cast<int>(std::lround(0.5 * (std::clamp(column, -far, far) - 0.5)));
+        return nearest_whole(0.5 * (std::min(far, std::max(-far, column)) - 0.5));  // NaN: −far
     }
 
   private:

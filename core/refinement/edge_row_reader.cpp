@@ -66,8 +66,8 @@ void EdgeRowReader::read_side(YuyvView image, const PostColour& colour, const Ro
             start_[i] = static_cast<float>(outwards * (rows.first[i] - edge));
             const double away = 0.5 * (edge + outwards * clear - 0.5);
             outside_[side][i] =
-                side == 0 ? Outside{first, first, std::min(last, static_cast<int>(std::floor(away)))}
-                          : Outside{first, std::max(first, static_cast<int>(std::ceil(away))), last};
+                side == 0 ? Outside{first, first, std::min(last, whole_below(away))}
+                          : Outside{first, std::max(first, whole_above(away)), last};
             const std::size_t lane = i - from;
             for (int k = 0; k < layout.bin; ++k) {
                 const std::uint8_t* const row = image.row(layout.top(static_cast<int>(i)) + k);

@@ -35,7 +35,7 @@ class NormalTable {
 
     Normal at(double z) const {
         const double place = std::min(2.0 * middle, std::max(0.0, z * per_sigma + middle));  // NaN: 0
-        const double nearest = std::floor(place + 0.5);
+        const int nearest = static_cast<int>(place + 0.5);
         const Normal& n = table_[static_cast<std::size_t>(nearest)];
         const double here = (nearest - middle) / per_sigma, d = (place - nearest) / per_sigma;
         return {n.below + d * n.density * (1.0 - 0.5 * d * here),
@@ -106,8 +106,8 @@ bool PostEndFinder::same_surface(const PairColour& a, const PairColour& b, float
 std::optional<PairColour> PostEndFinder::colour_at(double across, double slope, int pairs) const {
     const auto pixel = pixel_at(across, slope);
     if (!pixel || !(pixel->cwiseAbs().maxCoeff() < 1e5)) return std::nullopt;
-    const int pair = static_cast<int>(std::lround(0.5 * (pixel->x() - 0.5) + 0.5 * (pairs - 1)));
-    const int row = static_cast<int>(std::lround(pixel->y()));
+    const int pair = nearest_whole(0.5 * (pixel->x() - 0.5) + 0.5 * (pairs - 1));
+    const int row = nearest_whole(pixel->y());
     if (pair - pairs + 1 < 0 || 2 * pair + 1 >= image_.width || row < 1 || row + 1 >= image_.height)
         return std::nullopt;
     PairColour sum = PairColour::Zero();
@@ -144,8 +144,8 @@ bool PostEndFinder::gather(double slope, double outwards, double per_px) {
         const RowRay middle = rays.crossing(post_.right, 0.5 * (first_x + last_x), row);
         if (!(std::abs(middle.x) < 2.0 * camera_.width)) continue;
         const double reach = most_across * radius_ + std::numbers::sqrt2 * std::max(inner, outer);
-        const int from = static_cast<int>(std::ceil(0.5 * (std::max(first_x, middle.x - reach) - 0.5)));
-        const int to = static_cast<int>(std::floor(0.5 * (std::min(last_x, middle.x + reach) - 0.5)));
+        const int from = whole_above(0.5 * (std::max(first_x, middle.x - reach) - 0.5));
+        const int to = whole_below(0.5 * (std::min(last_x, middle.x + reach) - 0.5));
         const int step = std::max(1, (to - from + most_pairs) / most_pairs);
         for (int pair = std::max(0, from); pair <= to && 2 * pair + 1 < image_.width; pair += step) {
             const RowRay ray = rays.at(2.0 * pair + 0.5, row);

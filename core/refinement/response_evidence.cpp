@@ -46,7 +46,7 @@ class Bow {
     void add(const PairRow& row, int pairs, double edge, double outwards, double inside,
              BowEvidence& evidence) {
         Strip inner, outer;
-        const int middle = static_cast<int>(std::floor(0.5 * edge));
+        const int middle = whole_below(0.5 * edge);
         constexpr int around = 5;  // pairs
         for (int pair = std::max(0, middle - around); pair <= std::min(pairs - 1, middle + around); ++pair) {
             const double x = outwards * (2.0 * pair + 0.5 - edge);
