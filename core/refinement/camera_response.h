@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/imaging/yuyv.h"
+#include "core/refinement/whole_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -49,11 +50,25 @@ class PairRow {
                 static_cast<float>(p[3]) - 128.0F};
     }
 
+    /// Pairs `first` to `last`, in the row, added to a sum.
+    void add(int first, int last, PairColour& sum) const {
+        if (response_ == CameraResponse::srgb) {
+            for (int pair = first; pair <= last; ++pair) sum += light(pair);
+            return;
+        }
+        int y = 0, cb = 0, cr = 0;
+        for (int pair = first; pair <= last; ++pair) {
+            const std::uint8_t* p = row_ + 4 * pair;
+            y += p[0] + p[2], cb += p[1] - 128, cr += p[3] - 128;
+        }
+        sum += PairColour(0.5F * static_cast<float>(y), static_cast<float>(cb), static_cast<float>(cr));
+    }
+
     /// The pair whose middle is nearest to a column [px], inside the row or not; some pair far outside where
     /// the column is farther than any picture reaches.
     static int pair_at(double column) {
-        constexpr double far = 1e6;  // px
-        return static_cast<int>(std::lround(0.5 * (std::clamp(column, -far, far) - 0.5)));
+        constexpr double far = 1e6;                                                 // px
+        return nearest_whole(0.5 * (std::min(far, std::max(-far, column)) - 0.5));  // NaN: −far
     }
 
   private:

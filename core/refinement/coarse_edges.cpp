@@ -1,5 +1,7 @@
 #include "core/refinement/coarse_edges.h"
 
+#include "core/refinement/row_differences.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,11 +18,22 @@ std::size_t place_of(OutlineSide side) {
 /// Pairs of two rows, from inside a post outwards.
 class Walk {
   public:
-    Walk(YuyvView image, int row, const PostColour& colour)
+    /// That between `from` and `to` are asked for most.
+    Walk(YuyvView image, int row, const PostColour& colour, int from, int to, RowDifferences& differences)
         : upper_(image.row(row), image.width / 2, colour.response),
           lower_(image.row(std::min(row + 1, image.height - 1)), image.width / 2, colour.response),
           pairs_(image.width / 2),
-          colour_(colour) {}
+          colour_(colour),
+          known_(differences) {
+        if (colour.response != CameraResponse::linear) return;
+        first_ = std::clamp(std::min(from, to) - 1, 0, pairs_);
+        const int last = std::min(
+            {std::max(from, to) + 1, pairs_ - 1, first_ + static_cast<int>(RowDifferences::most) - 1});
+        count_ = std::max(0, last - first_ + 1);
+        row_differences(image.row(row) + 4 * first_,
+                        image.row(std::min(row + 1, image.height - 1)) + 4 * first_,
+                        static_cast<std::size_t>(count_), colour, differences);
+    }
 
     bool inside(int pair) const { return pair >= 0 && pair < pairs_; }
     Eigen::Vector3f offset(int pair) const {
@@ -28,6 +41,8 @@ class Walk {
         return z - colour_.mean;
     }
     float difference(int pair) const {
+        if (pair >= first_ && pair < first_ + count_)
+            return known_.difference[static_cast<std::size_t>(pair - first_)];
         const Eigen::Vector3f e = offset(pair);
         return e.dot(colour_.contrast * e);
     }
@@ -36,6 +51,8 @@ class Walk {
     PairRow upper_, lower_;
     int pairs_;
     const PostColour& colour_;
+    const RowDifferences& known_;
+    int first_ = 0, count_ = 0;
 };
 
 /// Column [px] where the post's colour ends, on the way from pair `from` to pair `to`.
@@ -104,9 +121,9 @@ void CoarseEdgeFinder::collect(YuyvView image, const RoughOutline& outline, cons
         const bool is_left = side == OutlineSide::left;
         const double start = is_left ? left + inwards : right - inwards;
         const double end = is_left ? left - search.tolerance - blur : right + search.tolerance + blur;
-        const Walk walk(image, y, colour);
-        const auto x = end_of_colour(walk, colour, PairRow::pair_at(start), PairRow::pair_at(end),
-                                     search.least_contrast);
+        const int from = PairRow::pair_at(start), to = PairRow::pair_at(end);
+        const Walk walk(image, y, colour, from, to, differences_);
+        const auto x = end_of_colour(walk, colour, from, to, search.least_contrast);
         if (!x) continue;
         const double row = std::min(y + 0.5, image.height - 1.0);
         const RowRay ray = rays.at(*x, row);

@@ -4,6 +4,7 @@
 #include "core/refinement/pixel_rays.h"
 #include "core/refinement/post_colour.h"
 #include "core/refinement/post_silhouette.h"
+#include "core/refinement/row_differences.h"
 
 #include <array>
 #include <optional>
@@ -59,6 +60,7 @@ class CoarseEdgeFinder {
 
     std::array<std::vector<EdgeCrossing>, 2> crossings_;
     mutable std::vector<double> rivals_;
+    RowDifferences differences_;
 };
 
 }  // namespace goalmouth

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include <Eigen/LU>
 
@@ -12,11 +13,6 @@ namespace {
 
 constexpr std::size_t neighbours = 4;  // rows on either side that help to tell a background's colour
 constexpr int least_pairs = 3;
-
-std::uint32_t word_at(const std::uint8_t* p) {
-    return static_cast<std::uint32_t>(p[0]) | static_cast<std::uint32_t>(p[1]) << 8 |
-           static_cast<std::uint32_t>(p[2]) << 16 | static_cast<std::uint32_t>(p[3]) << 24;
-}
 
 }  // namespace
 
@@ -33,6 +29,39 @@ void EdgeRowReader::place(const Intrinsics& camera, const Eigen::Vector3d& plane
     }
 }
 
+void EdgeRowReader::copy(YuyvView image, const RowLayout& layout, std::size_t first_row,
+                         const std::array<Window, EdgeRows::block>& windows) {
+    const int pairs = image.width / 2;
+    int most = 0;
+    for (const Window& window : windows) most = std::max(most, window.pairs);
+    if (most == 0) return;
+    constexpr auto together = static_cast<int>(RawPairs::together);
+    const int read = (most + 2 + together - 1) / together * together;
+    std::array<int, EdgeRows::block> top{};
+    for (std::size_t lane = 0; lane < EdgeRows::block; ++lane)
+        if (windows[lane].pairs > 0) top[lane] = layout.top(static_cast<int>(first_row + lane));
+    for (int k = 0; k < layout.bin; ++k) {
+        std::array<const std::uint8_t*, EdgeRows::block> from;
+        for (std::size_t lane = 0; lane < EdgeRows::block; ++lane) {
+            const Window& window = windows[lane];
+            from[lane] = apart_[lane].data();
+            if (window.pairs == 0) continue;
+            const int y = top[lane] + k;
+            const std::uint8_t* const row = image.row(y);
+            const int before = window.first - 1;
+            const std::ptrdiff_t left =
+                static_cast<std::ptrdiff_t>(image.height - 1 - y) * image.stride + 4 * pairs;
+            if (before >= 0 && before + window.pairs + 2 <= pairs && 4 * (before + read) <= left) {
+                from[lane] = row + 4 * before;
+                continue;
+            }
+            for (int j = 0; j < window.pairs + 2; ++j)
+                std::memcpy(apart_[lane].data() + 4 * j, row + 4 * std::clamp(before + j, 0, pairs - 1), 4);
+        }
+        lay_out(from, static_cast<std::size_t>(most) + 2, raw_.bins[static_cast<std::size_t>(k)]);
+    }
+}
+
 void EdgeRowReader::read_side(YuyvView image, const PostColour& colour, const RowLayout& layout, double blur,
                               std::size_t side, std::array<EdgeRows, 2>& both) {
     EdgeRows& rows = both[side];
@@ -44,10 +73,10 @@ void EdgeRowReader::read_side(YuyvView image, const PostColour& colour, const Ro
     sums.pairs.assign(rows.count);
     outside_[side].assign(rows.count, {});
     start_.assign(rows.count);
-    const bool with_neighbours = colour.response != CameraResponse::linear;
     for (std::size_t block = 0; block < rows.blocks(); ++block) {
         const std::size_t from = block * EdgeRows::block;
         const std::size_t to = std::min(rows.count, from + EdgeRows::block);
+        std::array<Window, EdgeRows::block> windows{};
         for (std::size_t i = from; i < to; ++i) {
             const double edge = rows.column[i], width = both[1].column[i] - both[0].column[i];
             if (!std::isfinite(edge) || !(width > 0.0)) continue;
@@ -65,21 +94,11 @@ void EdgeRowReader::read_side(YuyvView image, const PostColour& colour, const Ro
             rows.edge[i] = edge;
             start_[i] = static_cast<float>(outwards * (rows.first[i] - edge));
             const double away = 0.5 * (edge + outwards * clear - 0.5);
-            outside_[side][i] =
-                side == 0 ? Outside{first, first, std::min(last, static_cast<int>(std::floor(away)))}
-                          : Outside{first, std::max(first, static_cast<int>(std::ceil(away))), last};
-            const std::size_t lane = i - from;
-            for (int k = 0; k < layout.bin; ++k) {
-                const std::uint8_t* const row = image.row(layout.top(static_cast<int>(i)) + k);
-                RawPairs::Rows& raw = raw_.bins[static_cast<std::size_t>(k)];
-                for (int pair = first; pair <= last; ++pair)
-                    raw[static_cast<std::size_t>(pair - first) + 1][lane] = word_at(row + 4 * pair);
-                if (!with_neighbours) continue;
-                raw[0][lane] = word_at(row + 4 * std::max(0, first - 1));
-                raw[static_cast<std::size_t>(last - first) + 2][lane] =
-                    word_at(row + 4 * std::min(pairs - 1, last + 1));
-            }
+            outside_[side][i] = side == 0 ? Outside{first, first, std::min(last, whole_below(away))}
+                                          : Outside{first, std::max(first, whole_above(away)), last};
+            windows[i - from] = {first, last - first + 1};
         }
+        copy(image, layout, from, windows);
         read_pairs(raw_, layout.bin, colour, block, static_cast<float>(outwards), static_cast<float>(clear),
                    start_, rows, sums);
     }
@@ -178,6 +197,7 @@ void EdgeRowReader::read_far(YuyvView image, const PostColour& colour, const Row
             if (!rows.seen(i)) continue;
             const int first = PairRow::pair_at(rows.first[i]);
             const int last = first + static_cast<int>(rows.pairs[i]) - 1;
+            const int top = layout.top(static_cast<int>(i));
             const double width = both[1].column[i] - both[0].column[i];
             const int inner_end =
                 PairRow::pair_at(rows.column[i] - outwards * std::min(layout.far_inner, 0.5 * width));
@@ -187,10 +207,8 @@ void EdgeRowReader::read_far(YuyvView image, const PostColour& colour, const Row
                 to = std::min(to, pairs - 1);
                 if (from > to) return;
                 Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-                for (int k = 0; k < layout.bin; ++k) {
-                    const PairRow row(image.row(layout.top(static_cast<int>(i)) + k), pairs, colour.response);
-                    for (int pair = from; pair <= to; ++pair) sum += row[pair];
-                }
+                for (int k = 0; k < layout.bin; ++k)
+                    PairRow(image.row(top + k), pairs, colour.response).add(from, to, sum);
                 number[i] = static_cast<float>(to - from + 1);
                 const Eigen::Vector3f e = sum / (number[i] * static_cast<float>(layout.bin)) - colour.mean;
                 const auto& along = weights_[side].along;

@@ -48,8 +48,18 @@ class EdgeRowReader {
     struct Outside {
         int window_first = 0, first = 0, last = -1;
     };
+    /// Pairs of a row from the picture's `first` on; none: it is not seen.
+    struct Window {
+        int first = 0, pairs = 0;
+    };
+    /// The pairs of a block's windows, one before and one behind, from the picture into raw_.
+    void copy(YuyvView image, const RowLayout& layout, std::size_t first_row,
+              const std::array<Window, EdgeRows::block>& windows);
+
     CrossingCurve curve_;
     RawPairs raw_;
+    using Words = std::array<std::uint8_t, 4 * RawPairs::room>;
+    std::array<Words, EdgeRows::block> apart_{};  // of rows at the picture's border
     RowColumn<float> start_;
     std::array<BackgroundSums, 2> sums_;
     std::array<std::array<RowColumn<float>, 3>, 2> backgrounds_;

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "core/refinement/whole_numbers.h"
+
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -125,7 +126,7 @@ struct RowLayout {
     double far_inner = 12.0, far_outer = 12.0;
 
     /// The uppermost row of a bin.
-    int top(int i) const { return static_cast<int>(std::lround(first_row + i * pitch)); }
+    int top(int i) const { return nearest_whole(first_row + i * pitch); }
 };
 
 /// Rows for at most `most_rows` measurements of each edge between two rows. Of more rows than that up

@@ -1,5 +1,7 @@
 #include "core/refinement/post_end.h"
 
+#include "core/refinement/end_equations.h"
+#include "core/refinement/normal_table.h"
 #include "core/refinement/pixel_rays.h"
 
 #include <algorithm>
@@ -16,36 +18,6 @@ namespace {
 double square(double x) {
     return x * x;
 }
-
-/// Φ and φ of a normal deviate.
-struct Normal {
-    double below, density;
-};
-
-/// The same from a table and Taylor's series between its places: to 1e-6.
-class NormalTable {
-  public:
-    NormalTable() {
-        for (std::size_t i = 0; i < table_.size(); ++i) {
-            const double z = (static_cast<double>(i) - middle) / per_sigma;
-            table_[i] = {0.5 * std::erfc(-z / std::numbers::sqrt2),
-                         std::exp(-0.5 * z * z) * (0.5 * std::numbers::inv_sqrtpi * std::numbers::sqrt2)};
-        }
-    }
-
-    Normal at(double z) const {
-        const double place = std::min(2.0 * middle, std::max(0.0, z * per_sigma + middle));  // NaN: 0
-        const double nearest = std::floor(place + 0.5);
-        const Normal& n = table_[static_cast<std::size_t>(nearest)];
-        const double here = (nearest - middle) / per_sigma, d = (place - nearest) / per_sigma;
-        return {n.below + d * n.density * (1.0 - 0.5 * d * here),
-                n.density * (1.0 - d * (here + 0.5 * d * (1.0 - here * here)))};
-    }
-
-  private:
-    static constexpr double per_sigma = 64.0, middle = 6.0 * per_sigma;
-    std::array<Normal, 2 * static_cast<std::size_t>(middle) + 1> table_;
-};
 
 const NormalTable& normal() {
     static const NormalTable table;
@@ -106,8 +78,8 @@ bool PostEndFinder::same_surface(const PairColour& a, const PairColour& b, float
 std::optional<PairColour> PostEndFinder::colour_at(double across, double slope, int pairs) const {
     const auto pixel = pixel_at(across, slope);
     if (!pixel || !(pixel->cwiseAbs().maxCoeff() < 1e5)) return std::nullopt;
-    const int pair = static_cast<int>(std::lround(0.5 * (pixel->x() - 0.5) + 0.5 * (pairs - 1)));
-    const int row = static_cast<int>(std::lround(pixel->y()));
+    const int pair = nearest_whole(0.5 * (pixel->x() - 0.5) + 0.5 * (pairs - 1));
+    const int row = nearest_whole(pixel->y());
     if (pair - pairs + 1 < 0 || 2 * pair + 1 >= image_.width || row < 1 || row + 1 >= image_.height)
         return std::nullopt;
     PairColour sum = PairColour::Zero();
@@ -144,8 +116,8 @@ bool PostEndFinder::gather(double slope, double outwards, double per_px) {
         const RowRay middle = rays.crossing(post_.right, 0.5 * (first_x + last_x), row);
         if (!(std::abs(middle.x) < 2.0 * camera_.width)) continue;
         const double reach = most_across * radius_ + std::numbers::sqrt2 * std::max(inner, outer);
-        const int from = static_cast<int>(std::ceil(0.5 * (std::max(first_x, middle.x - reach) - 0.5)));
-        const int to = static_cast<int>(std::floor(0.5 * (std::min(last_x, middle.x + reach) - 0.5)));
+        const int from = whole_above(0.5 * (std::max(first_x, middle.x - reach) - 0.5));
+        const int to = whole_below(0.5 * (std::min(last_x, middle.x + reach) - 0.5));
         const int step = std::max(1, (to - from + most_pairs) / most_pairs);
         for (int pair = std::max(0, from); pair <= to && 2 * pair + 1 < image_.width; pair += step) {
             const RowRay ray = rays.at(2.0 * pair + 0.5, row);
@@ -180,6 +152,10 @@ std::optional<PostEndFinder::Step> PostEndFinder::fit_step(double start_blur,
     if (!(strength >= static_cast<float>(square(search_.least_contrast)))) return std::nullopt;
     const Eigen::Vector3f w = weights / std::sqrt(strength);
     for (Sample& s : samples_) s.value = static_cast<double>(w.dot(s.offset));
+    ways_.assign(samples_.size());
+    values_.assign(samples_.size());
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+        ways_[i] = samples_[i].way, values_[i] = samples_[i].value;
 
     step.outer = std::sqrt(static_cast<double>(strength));
     constexpr double blur_known =
@@ -188,19 +164,11 @@ std::optional<PostEndFinder::Step> PostEndFinder::fit_step(double start_blur,
     Eigen::Matrix4d information = Eigen::Matrix4d::Identity();
     double squares = 0.0;
     for (int round = 0; round < 8; ++round) {
-        information.setZero();
-        Eigen::Vector4d pull = Eigen::Vector4d::Zero();
-        squares = 0.0;
-        for (const Sample& s : samples_) {
-            const double z = (s.way - step.place) / step.blur;
-            const Normal at = normal_table.at(z);
-            const double share = at.below, slope = at.density * (step.outer - step.inner);
-            const double miss = s.value - step.inner - (step.outer - step.inner) * share;
-            const Eigen::Vector4d j(-slope / step.blur, -slope * z, 1.0 - share, share);
-            information += j * j.transpose();
-            pull += miss * j;
-            squares += miss * miss;
-        }
+        const EndEquations equations = end_equations(
+            ways_, values_, samples_.size(), {step.place, step.blur, step.inner, step.outer}, normal_table);
+        information = equations.information;
+        Eigen::Vector4d pull = equations.pull;
+        squares = equations.squares;
         const double variance = squares / static_cast<double>(samples_.size());
         information(1, 1) += variance / square(blur_known);
         pull[1] -= variance / square(blur_known) * std::log(step.blur / start_blur);
@@ -222,7 +190,7 @@ std::optional<PostEndFinder::Step> PostEndFinder::fit_step(double start_blur,
     squares = 0.0;
     for (const Sample& s : samples_) {
         const double z = (s.way - step.place) / step.blur;
-        const Normal at = normal_table.at(z);
+        const NormalTable::Normal at = normal_table.at(z);
         const double miss = s.value - step.inner - (step.outer - step.inner) * at.below;
         const double slope = -at.density * (step.outer - step.inner) / step.blur;
         if (s.row != row) rows += square(of_row), of_row = 0.0, row = s.row;

@@ -2,6 +2,7 @@
 
 #include "core/geometry/camera.h"
 #include "core/imaging/yuyv.h"
+#include "core/refinement/edge_rows.h"
 #include "core/refinement/post_colour.h"
 #include "core/refinement/post_silhouette.h"
 
@@ -99,6 +100,7 @@ class PostEndFinder {
     double near_ = 1.0;    // the rim's side that is seen: 1 the nearer, −1 the farther one
     double radius_ = 0.0;  // px, half the post's width at the end
     std::vector<Sample> samples_;
+    RowColumn<double> ways_, values_;                     // theirs
     double gathered_at_ = 0.0, gathered_outwards_ = 0.0;  // slope and direction they are of; 0: of none
 };
 

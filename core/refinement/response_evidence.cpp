@@ -26,17 +26,23 @@ Complement complement_of(const Eigen::Matrix3f& contrast) {
     return s;
 }
 
-/// A colour that some pairs share.
-struct Strip {
-    PairColour sum = PairColour::Zero();
-    int pairs = 0;
+/// Pairs next to one another.
+struct Span {
+    int first = 0, last = -1;
 
-    void add(const PairColour& colour) {
-        sum += colour;
-        ++pairs;
+    int pairs() const { return std::max(0, last - first + 1); }
+    PairColour mean(const PairRow& row) const {
+        PairColour sum = PairColour::Zero();
+        row.add(first, last, sum);
+        return sum / static_cast<float>(pairs());
     }
-    PairColour mean() const { return sum / static_cast<float>(pairs); }
 };
+
+/// Those of a row of which the middle lies between two places [px] beside an edge.
+Span span(double edge, double one, double other, int pairs) {
+    const double from = edge + std::min(one, other), to = edge + std::max(one, other);
+    return {std::max(0, whole_above(0.5 * (from - 0.5))), std::min(pairs - 1, whole_below(0.5 * (to - 0.5)))};
+}
 
 class Bow {
   public:
@@ -45,16 +51,12 @@ class Bow {
     /// One row of an edge at `edge` [px]; `inside`: px to the post's middle.
     void add(const PairRow& row, int pairs, double edge, double outwards, double inside,
              BowEvidence& evidence) {
-        Strip inner, outer;
-        const int middle = static_cast<int>(std::floor(0.5 * edge));
-        constexpr int around = 5;  // pairs
-        for (int pair = std::max(0, middle - around); pair <= std::min(pairs - 1, middle + around); ++pair) {
-            const double x = outwards * (2.0 * pair + 0.5 - edge);
-            if (x >= clear && x <= reach) outer.add(row[pair]);
-            if (-x >= std::min(clear, inside) && -x <= std::min(reach, inside + 1.0)) inner.add(row[pair]);
-        }
-        if (outer.pairs == 0) return;
-        const PairColour post = inner.pairs > 0 ? inner.mean() : colour_.mean, background = outer.mean();
+        const Span outer = span(edge, outwards * clear, outwards * reach, pairs);
+        if (outer.pairs() == 0) return;
+        const Span inner =
+            span(edge, -outwards * std::min(clear, inside), -outwards * std::min(reach, inside + 1.0), pairs);
+        const PairColour background = outer.mean(row);
+        const PairColour post = inner.pairs() > 0 ? inner.mean(row) : colour_.mean;
         const Eigen::Vector2f way = complement_ * (background - post);
         const float length = way.norm();
         constexpr float least_contrast = 6.0F;
@@ -64,8 +66,8 @@ class Bow {
         const PairColour light = 0.5F * (light_of_level(post) + light_of_level(background));
         const float bow = across.dot(complement_ * (level_of_light(light) - half));
         double pull = 0.0, information = 0.0;
-        for (int pair = std::max(0, middle - around); pair <= std::min(pairs - 1, middle + around); ++pair) {
-            if (std::abs(2.0 * pair + 0.5 - edge) > mixed) continue;
+        const Span both = span(edge, -mixed, mixed, pairs);
+        for (int pair = both.first; pair <= both.last; ++pair) {
             const Eigen::Vector2f at = complement_ * (row[pair] - post);
             const float share = at.dot(along) / length;
             if (!(share > 0.1F && share < 0.9F)) continue;

@@ -1,6 +1,7 @@
 #include "core/refinement/row_pixels.h"
 
 #include <algorithm>
+#include <cstring>
 
 // Before Highway:
 #include "core/segmentation/vector_targets.h"
@@ -72,6 +73,39 @@ HWY_INLINE Colour pair_colour(const RawPairs::Rows& rows, std::size_t pair, std:
     const Colour second = light(Colour{y1, hn::Add(cb, cb_step), hn::Add(cr, cr_step)});
     return {scaled(hn::Add(first.y, second.y), 0.5F), scaled(hn::Add(first.cb, second.cb), 0.5F),
             scaled(hn::Add(first.cr, second.cr), 0.5F)};
+}
+
+void lay_out(const std::array<const std::uint8_t*, EdgeRows::block>& from, std::size_t pairs,
+             RawPairs::Rows& raw) {
+#if HWY_TARGET == HWY_SCALAR
+    for (std::size_t k = 0; k < pairs; ++k)
+        for (std::size_t lane = 0; lane < EdgeRows::block; ++lane)
+            std::memcpy(&raw[k][lane], from[lane] + 4 * k, 4);
+#else
+    // Four pairs of four rows at a time, turned about.
+    const hn::Full128<std::uint8_t> bytes;
+    const hn::Full128<std::uint32_t> words;
+    const hn::Full128<std::uint64_t> twos;
+    for (std::size_t lane = 0; lane < EdgeRows::block; lane += 4) {
+        for (std::size_t k = 0; k < pairs; k += RawPairs::together) {
+            const auto row = [&](std::size_t i) HWY_ATTR {
+                return hn::BitCast(words, hn::LoadU(bytes, from[lane + i] + 4 * k));
+            };
+            const auto a = row(0), b = row(1), c = row(2), d = row(3);
+            const auto lower_ab = hn::BitCast(twos, hn::InterleaveLower(words, a, b));
+            const auto upper_ab = hn::BitCast(twos, hn::InterleaveUpper(words, a, b));
+            const auto lower_cd = hn::BitCast(twos, hn::InterleaveLower(words, c, d));
+            const auto upper_cd = hn::BitCast(twos, hn::InterleaveUpper(words, c, d));
+            const auto store = [&](hn::Vec<decltype(twos)> v, std::size_t i) HWY_ATTR {
+                hn::Store(hn::BitCast(words, v), words, raw[k + i].data() + lane);
+            };
+            store(hn::InterleaveLower(twos, lower_ab, lower_cd), 0);
+            store(hn::InterleaveUpper(twos, lower_ab, lower_cd), 1);
+            store(hn::InterleaveLower(twos, upper_ab, upper_cd), 2);
+            store(hn::InterleaveUpper(twos, upper_ab, upper_cd), 3);
+        }
+    }
+#endif
 }
 
 /// The most pairs of any row in some lanes.
@@ -221,10 +255,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace goalmouth {
 
+HWY_EXPORT(lay_out);
 HWY_EXPORT(read_pairs);
 HWY_EXPORT(spread_background);
 HWY_EXPORT(weigh_colours);
 HWY_EXPORT(project_pairs);
+
+void lay_out(const std::array<const std::uint8_t*, EdgeRows::block>& from, std::size_t pairs,
+             RawPairs::Rows& raw) {
+    HWY_DYNAMIC_DISPATCH(lay_out)(from, pairs, raw);
+}
 
 void read_pairs(const RawPairs& raw, int bin, const PostColour& colour, std::size_t block, float outwards,
                 float clear, const RowColumn<float>& start, EdgeRows& rows, BackgroundSums& background) {

@@ -14,7 +14,9 @@ namespace goalmouth {
 /// Bytes Y0 Cb Y1 Cr of pairs of pixels, lowest first, for a block of rows: the pairs that EdgeRows holds,
 /// one before them and one behind.
 struct RawPairs {
-    using Rows = std::array<std::array<std::uint32_t, EdgeRows::block>, EdgeRows::most_pairs + 2>;
+    static constexpr std::size_t most = EdgeRows::most_pairs + 2, together = 4;
+    static constexpr std::size_t room = (most + together - 1) / together * together;
+    using Rows = std::array<std::array<std::uint32_t, EdgeRows::block>, room>;
     alignas(64) std::array<Rows, RowLayout::most_averaged> bins{};  // of each of the rows averaged
 };
 
@@ -28,6 +30,11 @@ struct BackgroundSums {
 struct RowWeights {
     std::array<RowColumn<float>, 3> along, square;  // of `value` and `stray`
 };
+
+/// The first pairs of a block of rows from where each of them begins; `together` of them are read at once,
+/// past the last one as well.
+void lay_out(const std::array<const std::uint8_t*, EdgeRows::block>& from, std::size_t pairs,
+             RawPairs::Rows& raw);
 
 /// Colours less the post's of a block of rows, as the mean of `bin` rows, into `value`, `stray` and `luma`;
 /// and the sums of those whose middle lies `clear` px or more outside the edge. `start`: px of each row's

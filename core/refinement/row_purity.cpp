@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 // Before Highway:
 #include "core/segmentation/vector_targets.h"
@@ -150,29 +151,71 @@ void weigh_rows(const UsualRows& usual, const LocalRows& local, EdgeRows& rows) 
 }
 
 float nth_smallest(const float* numbers, std::size_t count, std::size_t n) {
-    // Bit by bit, from the highest on: is it at least so large? Numbers' bits are in the order of the numbers
-    // once those of negative ones are turned over.
+    // Quarter by quarter of what is left of the range: in which of them is it? Numbers' bits are in the order
+    // of the numbers once those of negative ones are turned over.
     const hn::RebindToUnsigned<Floats> u;
     const hn::RebindToSigned<Floats> s;
     const Floats d;
-    const auto sign = hn::Set(u, 0x80000000U);
-    std::uint32_t found = 0;
-    for (std::uint32_t bit = 0x80000000U; bit != 0; bit >>= 1) {
-        const std::uint32_t tried = found | bit;
-        const auto limit = hn::BitCast(s, hn::Xor(hn::Set(u, tried), sign));
-        std::size_t below = 0;
-        for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-            const auto bits = hn::BitCast(s, hn::LoadU(d, numbers + i));
-            // Turned over where negative, but for the sign: in the order of whole numbers.
-            const auto ordered =
-                hn::Xor(bits, hn::BitCast(s, hn::ShiftRight<1>(hn::BitCast(u, hn::BroadcastSignBit(bits)))));
-            const auto lanes = hn::FirstN(s, count - i);
-            below += hn::CountTrue(s, hn::And(lanes, hn::Lt(ordered, limit)));
-        }
-        if (below <= n) found = tried;
+    constexpr std::uint32_t sign = 0x80000000U;
+    const auto largest = hn::Set(s, std::numeric_limits<std::int32_t>::max());
+    const auto at = [&](std::size_t i) HWY_ATTR {
+        const auto bits = hn::BitCast(s, hn::LoadU(d, numbers + i));
+        // Turned over where negative, but for the sign: in the order of whole numbers.
+        return hn::Xor(bits, hn::BitCast(s, hn::ShiftRight<1>(hn::BitCast(u, hn::BroadcastSignBit(bits)))));
+    };
+    const auto limit = [&](std::uint32_t number)
+                           HWY_ATTR { return hn::Set(s, static_cast<std::int32_t>(number ^ sign)); };
+    const auto whole = [](std::int32_t ordered) { return static_cast<std::uint32_t>(ordered) ^ sign; };
+
+    auto least = largest, most = hn::Not(largest);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const auto lanes = hn::FirstN(s, count - i);
+        const auto number = at(i);
+        least = hn::Min(least, hn::IfThenElse(lanes, number, largest));
+        most = hn::Max(most, hn::IfThenElse(lanes, number, hn::Not(largest)));
     }
-    const std::uint32_t ordered = found ^ 0x80000000U;
-    const std::uint32_t bits = (ordered & 0x80000000U) != 0 ? ordered ^ 0x7fffffffU : ordered;
+    const std::uint32_t first = whole(hn::GetLane(hn::MinOfLanes(s, least)));
+    const std::uint32_t last = whole(hn::GetLane(hn::MaxOfLanes(s, most)));
+    int open = (std::bit_width(first ^ last) + 1) / 2 * 2;  // bits in which they differ
+    std::uint32_t found = open < 32 ? first >> open << open : 0;
+    std::size_t before = 0, behind = count;  // numbers less than the range's first; than what comes after it
+    while (open > 0 && behind - before > 1) {
+        open -= 2;
+        const std::uint32_t step = std::uint32_t{1} << open;
+        const auto one = limit(found + step), two = limit(found + 2 * step), three = limit(found + 3 * step);
+        std::size_t below_one = 0, below_two = 0, below_three = 0;
+        for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+            const auto lanes = hn::FirstN(s, count - i);
+            const auto number = at(i);
+            below_one += hn::CountTrue(s, hn::And(lanes, hn::Lt(number, one)));
+            below_two += hn::CountTrue(s, hn::And(lanes, hn::Lt(number, two)));
+            below_three += hn::CountTrue(s, hn::And(lanes, hn::Lt(number, three)));
+        }
+        if (below_two <= n) {
+            const bool fourth = below_three <= n;
+            found += (fourth ? 3 : 2) * step;
+            before = fourth ? below_three : below_two;
+            behind = fourth ? behind : below_three;
+        } else {
+            const bool second = below_one <= n;
+            found += second ? step : 0;
+            before = second ? below_one : before;
+            behind = second ? below_two : below_one;
+        }
+    }
+    if (open > 0) {
+        // One number is left, the first from here on.
+        const auto from = limit(found);
+        auto next = largest;
+        for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+            const auto lanes = hn::FirstN(s, count - i);
+            const auto number = at(i);
+            next = hn::Min(next, hn::IfThenElse(hn::AndNot(hn::Lt(number, from), lanes), number, largest));
+        }
+        found = whole(hn::GetLane(hn::MinOfLanes(s, next)));
+    }
+    const std::uint32_t ordered = found ^ sign;
+    const std::uint32_t bits = (ordered & sign) != 0 ? ordered ^ 0x7fffffffU : ordered;
     return std::bit_cast<float>(bits);
 }
 

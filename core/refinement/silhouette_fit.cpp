@@ -66,9 +66,14 @@ PostSilhouette upright(const PostSilhouette& post, const SilhouettePrior& prior)
 
 namespace {
 
+/// px to the other edge from where on it does not matter.
+double far_edge(double blur) {
+    return 10.0 * blur + 4.0;
+}
+
 /// px to the other edge, where that is near enough to matter.
 float near_edge(double width, double blur) {
-    return width < 10.0 * blur + 4.0 ? static_cast<float>(std::max(width, 1.0)) : 0.0F;
+    return width < far_edge(blur) ? static_cast<float>(std::max(width, 1.0)) : 0.0F;
 }
 
 StepEquations equations_of(const SilhouettePrior& prior, const PostSilhouette& post) {
@@ -117,10 +122,13 @@ void SilhouetteFitter::measure(const SilhouetteFit& state, bool blur) {
     for (std::size_t side = 0; side < 2; ++side) {
         if (!edges_[side]) continue;
         EdgeRows& rows = rows_[side];
+        const double out = outwards(side), far = far_edge(state.blur);
         for (std::size_t i = 0; i < rows.count; ++i) {
-            if (!rows.seen(i)) continue;
-            supposed_[side].start[i] = static_cast<float>(outwards(side) * (rows.first[i] - rows.edge[i]));
-            supposed_[side].across[i] = near_edge(rows_[1].edge[i] - rows_[0].edge[i], state.blur);
+            const double width = rows_[1].edge[i] - rows_[0].edge[i];
+            const double across = width < far ? std::max(width, 1.0) : 0.0;
+            const double start = out * (rows.first[i] - rows.edge[i]);
+            supposed_[side].start[i] = static_cast<float>(rows.seen(i) ? start : 0.0);
+            supposed_[side].across[i] = static_cast<float>(rows.seen(i) ? across : 0.0);
         }
         measure_rows(rows, profile_, supposed_[side], static_cast<float>(outwards(side)),
                      static_cast<float>(state.noise[side]), nullptr, rows.measured,

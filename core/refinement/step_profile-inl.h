@@ -26,14 +26,8 @@ class EdgePieces {
     HWY_INLINE explicit EdgePieces(const StepProfile& profile)
         : reach_(profile.reach()),
           per_px_(profile.per_px()),
-          end_(static_cast<float>(profile.count()) - 0.5F) {
-        for (std::size_t i = 0; i < StepProfile::most_pieces; ++i) {
-            const StepProfile::Piece& piece = profile.pieces()[i];
-            for (std::size_t k = 0; k < 4; ++k) table_[k][i] = piece.step[k];
-            for (std::size_t k = 0; k < 2; ++k) table_[4 + k][i] = piece.blur[k];
-            for (std::size_t k = 0; k < 2; ++k) table_[6 + k][i] = piece.digital[k];
-        }
-    }
+          end_(static_cast<float>(profile.count()) - 0.5F),
+          tables_(profile.tables()) {}
 
     HWY_INLINE Place place(FloatVector x) const {
         namespace hn = hwy::HWY_NAMESPACE;
@@ -70,7 +64,7 @@ class EdgePieces {
     HWY_INLINE FloatVector look_up(std::size_t number, const Place& p) const {
         namespace hn = hwy::HWY_NAMESPACE;
         const Floats d;
-        const float* const numbers = table_[number];
+        const float* const numbers = tables_[number].data();
 #if HWY_TARGET <= HWY_AVX3
         // All of them fit two vectors; looking there takes one instruction.
         static_assert(2 * EdgeRows::block == StepProfile::most_pieces);
@@ -81,10 +75,10 @@ class EdgePieces {
 #endif
     }
 
-    alignas(64) float table_[8][StepProfile::most_pieces];
     float reach_;
     float per_px_;
     float end_;
+    const StepProfile::Tables& tables_;
 };
 
 }  // namespace goalmouth::HWY_NAMESPACE

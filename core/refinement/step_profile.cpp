@@ -89,6 +89,11 @@ void StepProfile::set_blur(double sigma, double digital_share) {
         const double apart0 = start.digital - start.optical, apart1 = end.digital - end.optical;
         piece.digital = {static_cast<float>(apart0), static_cast<float>((apart1 - apart0) / length)};
     }
+    for (std::size_t i = 0; i < most_pieces; ++i) {
+        for (std::size_t k = 0; k < 4; ++k) tables_[k][i] = pieces_[i].step[k];
+        for (std::size_t k = 0; k < 2; ++k) tables_[4 + k][i] = pieces_[i].blur[k];
+        for (std::size_t k = 0; k < 2; ++k) tables_[6 + k][i] = pieces_[i].digital[k];
+    }
 }
 
 }  // namespace goalmouth

@@ -42,6 +42,8 @@ class StepProfile {
         std::array<float, 2> digital{};  // E_d − E_o
     };
     static constexpr std::size_t most_pieces = 32;
+    /// The same numbers (step, blur, digital, each from the lowest power on), a table of all pieces for each.
+    using Tables = std::array<std::array<float, most_pieces>, 8>;
 
     /// σ [px] > 0, along the row; digital share 0…1.
     void set_blur(double sigma, double digital_share);
@@ -51,6 +53,7 @@ class StepProfile {
     /// The piece that x [px] lies in is number ⌊(x + reach())·per_px()⌋ + 1; what lies beyond both ends has
     /// the first and the last.
     const std::array<Piece, most_pieces>& pieces() const { return pieces_; }
+    const Tables& tables() const { return tables_; }
     std::size_t count() const { return count_; }
     float per_px() const { return per_px_; }
 
@@ -72,6 +75,7 @@ class StepProfile {
     float per_px_ = 1.0F;
     std::size_t count_ = 1;
     std::array<Piece, most_pieces> pieces_{};
+    alignas(64) Tables tables_{};
 };
 
 }  // namespace goalmouth
