@@ -30,14 +30,14 @@ class ChromaHistogram {
     /// The cells joined to the mode of the smoothed histogram that reach 2 % of its height. Requires a
     /// sample.
     ChromaRegion region_around_mode() const;
-    /// The same and, where it is lit differently elsewhere, the surface there: other joined cells of that height
-    /// which hold a twentieth or more of the samples and whose peak has the mode's hue to 14°. Requires a
-    /// sample.
+    /// The same and, where it is lit differently elsewhere, the surface there: other joined cells of that
+    /// height which hold a twentieth or more of the samples and whose peak has the mode's hue to 14°.
+    /// Requires a sample.
     ChromaRegion shades_of_mode() const;
-    /// `region` less the cells from which the way uphill in this histogram, of all that the pictures show, ends
-    /// at another surface's peak: one not half as far from grey as the region's mode, seen in the mode's hue.
-    /// What lies between two colours (blur, noise) joins their regions, a wall's to the carpet's; the shaded
-    /// parts of one surface have peaks too, but in its hue.
+    /// `region` less the cells from which the way uphill in this histogram, of all that the pictures show,
+    /// ends at another surface's peak: one not half as far from grey as the region's mode, seen in the mode's
+    /// hue. What lies between two colours (blur, noise) joins their regions, a wall's to the carpet's; the
+    /// shaded parts of one surface have peaks too, but in its hue.
     ChromaRegion without_rivals(const ChromaRegion& region) const;
     /// (Cb, Cr) of the highest cell of the smoothed histogram within two cells of this chroma.
     cv::Point2d highest_near(double cb, double cr) const;
