@@ -1,7 +1,5 @@
 #include "core/refinement/post_colour.h"
 
-#include "core/refinement/fetch_pixels.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -50,17 +48,8 @@ bool PostColourEstimator::estimate(YuyvView image, const RoughOutline& outline,
     samples_.clear();
     const int rows = outline.last_row - outline.first_row;  // the last one has no row below
     const int lines = std::min(most_rows, rows);
-    const auto row_of = [&](int i) {
-        return outline.first_row + static_cast<int>((2LL * i + 1) * rows / (2LL * lines));
-    };
     for (int i = 0; i < lines; ++i) {
-        const int y = row_of(i);
-        const double left = outline.left(y), inset = margin * (outline.right(y) - left);
-        fetch_pixels(image, y, left + inset, outline.right(y) - inset);
-        fetch_pixels(image, y + 1, left + inset, outline.right(y) - inset);
-    }
-    for (int i = 0; i < lines; ++i) {
-        const int y = row_of(i);
+        const int y = outline.first_row + static_cast<int>((2LL * i + 1) * rows / (2LL * lines));
         const PairRow upper(image.row(y), image.width / 2, response);
         const PairRow lower(image.row(y + 1), image.width / 2, response);
         const double left = outline.left(y), right = outline.right(y);

@@ -1,7 +1,5 @@
 #include "core/refinement/run_ends.h"
 
-#include "core/refinement/fetch_pixels.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -59,21 +57,13 @@ std::array<RunEnds, 2> run_ends(YuyvView image, const PostSilhouette& post, cons
     std::array<double, 2> edge{};
     edge.fill(centre ? centre->x() : camera.cx);
     std::array<std::vector<double>, 2> distances;
-    std::vector<std::array<double, 2>> all;
+    double widths = 0.0, rows = 0.0;
     for (int y = extent.first_edge_row; y <= extent.last_edge_row; y += step) {
         for (std::size_t side = 0; side < 2; ++side)
             edge[side] = rays.crossing(planes[side], edge[side], y).x;
-        constexpr double far = 1e5;  // px
-        if (!(edge[1] - edge[0] > 1.0 && std::abs(edge[0]) < far && std::abs(edge[1]) < far)) return {};
-        fetch_pixels(image, y, edge[0], edge[1]);
-        all.push_back(edge);
-    }
-    double widths = 0.0, rows = 0.0;
-    int y = extent.first_edge_row - step;
-    for (const std::array<double, 2>& at : all) {
-        y += step;
-        edge = at;
         const double width = edge[1] - edge[0];
+        constexpr double far = 1e5;  // px
+        if (!(width > 1.0 && std::abs(edge[0]) < far && std::abs(edge[1]) < far)) return {};
         widths += width;
         rows += 1.0;
         const ColourRow row(image, y, colour);

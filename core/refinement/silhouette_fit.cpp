@@ -71,9 +71,9 @@ double far_edge(double blur) {
     return 10.0 * blur + 4.0;
 }
 
-/// px to the other edge, where that is near enough to matter.
-float near_edge(double width, double blur) {
-    return width < far_edge(blur) ? static_cast<float>(std::max(width, 1.0)) : 0.0F;
+/// px to the other edge, where that is nearer than `far`; else 0.
+double near_edge(double width, double far) {
+    return width < far ? std::max(width, 1.0) : 0.0;
 }
 
 StepEquations equations_of(const SilhouettePrior& prior, const PostSilhouette& post) {
@@ -124,13 +124,12 @@ void SilhouetteFitter::measure(const SilhouetteFit& state, bool blur) {
         EdgeRows& rows = rows_[side];
         const double out = outwards(side), far = far_edge(state.blur);
         for (std::size_t i = 0; i < rows.count; ++i) {
-            const double width = rows_[1].edge[i] - rows_[0].edge[i];
-            const double across = width < far ? std::max(width, 1.0) : 0.0;
+            const double across = near_edge(rows_[1].edge[i] - rows_[0].edge[i], far);
             const double start = out * (rows.first[i] - rows.edge[i]);
             supposed_[side].start[i] = static_cast<float>(rows.seen(i) ? start : 0.0);
             supposed_[side].across[i] = static_cast<float>(rows.seen(i) ? across : 0.0);
         }
-        measure_rows(rows, profile_, supposed_[side], static_cast<float>(outwards(side)),
+        measure_rows(rows, profile_, supposed_[side], static_cast<float>(out),
                      static_cast<float>(state.noise[side]), nullptr, rows.measured,
                      blur ? &blur_[side] : nullptr);
     }
@@ -154,14 +153,15 @@ void SilhouetteFitter::measure_apart(const SilhouetteFit& state, std::size_t sid
     shift_.assign(rows.count);
     apart_edges_ = supposed_[side];
     for (std::size_t i = 0; i < rows.count; ++i) apart_rows_.offset[i] = rows.measured.offset[i];
+    const double far = far_edge(state.blur);
     for (int round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < rows.count; ++i) {
             // Once out of reach it stays there.
             if (!is_apart(i) || !(std::abs(shift_[i]) < reach)) continue;
             shift_[i] += std::clamp(apart_rows_.offset[i], -1.0F, 1.0F);
             apart_edges_.start[i] = supposed_[side].start[i] - shift_[i];
-            apart_edges_.across[i] =
-                near_edge(rows_[1].edge[i] - rows_[0].edge[i] + static_cast<double>(shift_[i]), state.blur);
+            apart_edges_.across[i] = static_cast<float>(
+                near_edge(rows_[1].edge[i] - rows_[0].edge[i] + static_cast<double>(shift_[i]), far));
         }
         measure_rows(rows, profile_, apart_edges_, static_cast<float>(outwards(side)),
                      static_cast<float>(state.noise[side]), &apart_blocks_, apart_rows_, nullptr);

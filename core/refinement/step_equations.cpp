@@ -7,28 +7,16 @@
 #define HWY_TARGET_INCLUDE "core/refinement/step_equations.cpp"
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 //
-#include <hwy/highway.h>
+#include "core/refinement/equation_lanes-inl.h"
 
-namespace goalmouth {
-#ifndef GOALMOUTH_ROW_SUMS
-#define GOALMOUTH_ROW_SUMS
-/// Sums over every eighth row, so that they do not depend on how long vectors are.
-struct RowSums {
-    static constexpr std::size_t lanes = 8, information = 10, pull = 4;
-    alignas(64) double parts[information + pull][lanes];
-};
-#endif
-}  // namespace goalmouth
+#include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace goalmouth::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// No fused multiply-add: every kind of vector gives the same numbers.
-using Doubles = hn::CappedTag<double, RowSums::lanes>;
 using Singles = hn::Rebind<float, Doubles>;
-using DoubleVector = hn::Vec<Doubles>;
 
 HWY_INLINE DoubleVector scaled(DoubleVector a, double b) {
     return hn::Mul(a, hn::Set(Doubles(), b));
@@ -62,13 +50,12 @@ void place_edges(const double* plane, EdgeRows& rows) {
 }
 
 void add_rows(const EdgeRows& rows, const double* plane, const double* change, double outwards, double most,
-              double roughness, RowSums& sums) {
+              double roughness, EquationSums& sums) {
     const Doubles d;
     const auto zero = hn::Zero(d), one = hn::Set(d, 1.0);
-    for (std::size_t lane = 0; lane < RowSums::lanes; lane += hn::Lanes(d)) {
-        auto h00 = zero, h01 = zero, h02 = zero, h03 = zero, h11 = zero, h12 = zero, h13 = zero, h22 = zero,
-             h23 = zero, h33 = zero, g0 = zero, g1 = zero, g2 = zero, g3 = zero;
-        for (std::size_t row = lane; row < rows.count; row += RowSums::lanes) {
+    for (std::size_t lane = 0; lane < LaneSums::lanes; lane += hn::Lanes(d)) {
+        EquationLanes equations;
+        for (std::size_t row = lane; row < rows.count; row += LaneSums::lanes) {
             const auto weight = wide(rows.weight, row), information = wide(rows.measured.information, row);
             const auto counts = hn::And(hn::Gt(weight, zero), hn::Gt(information, zero));
             if (hn::AllFalse(d, counts)) continue;
@@ -82,29 +69,18 @@ void add_rows(const EdgeRows& rows, const double* plane, const double* change, d
                 return hn::IfThenElseZero(counts,
                                           hn::Mul(inverse, hn::Add(along, hn::Set(d, change[3 * k + 2]))));
             };
-            const auto j0 = part(0), j1 = part(1), j2 = part(2), j3 = part(3);
+            const DoubleVector j[4] = {part(0), part(1), part(2), part(3)};
             const auto variance = hn::Add(hn::Div(one, hn::IfThenElse(counts, information, one)),
                                           hn::Set(d, roughness * roughness));
             const auto w = hn::IfThenElseZero(counts, hn::Div(weight, variance));
             const auto t =
                 hn::Min(hn::Max(scaled(wide(rows.measured.offset, row), outwards), hn::Set(d, -most)),
                         hn::Set(d, most));
-            const auto w0 = hn::Mul(w, j0), w1 = hn::Mul(w, j1), w2 = hn::Mul(w, j2), w3 = hn::Mul(w, j3);
-            h00 = hn::Add(h00, hn::Mul(w0, j0)), h01 = hn::Add(h01, hn::Mul(w0, j1));
-            h02 = hn::Add(h02, hn::Mul(w0, j2)), h03 = hn::Add(h03, hn::Mul(w0, j3));
-            h11 = hn::Add(h11, hn::Mul(w1, j1)), h12 = hn::Add(h12, hn::Mul(w1, j2));
-            h13 = hn::Add(h13, hn::Mul(w1, j3)), h22 = hn::Add(h22, hn::Mul(w2, j2));
-            h23 = hn::Add(h23, hn::Mul(w2, j3)), h33 = hn::Add(h33, hn::Mul(w3, j3));
-            g0 = hn::Add(g0, hn::Mul(w0, t)), g1 = hn::Add(g1, hn::Mul(w1, t));
-            g2 = hn::Add(g2, hn::Mul(w2, t)), g3 = hn::Add(g3, hn::Mul(w3, t));
+            const DoubleVector weighted[4] = {hn::Mul(w, j[0]), hn::Mul(w, j[1]), hn::Mul(w, j[2]),
+                                              hn::Mul(w, j[3])};
+            equations.add(weighted, j, t);
         }
-        hn::Store(h00, d, sums.parts[0] + lane), hn::Store(h01, d, sums.parts[1] + lane);
-        hn::Store(h02, d, sums.parts[2] + lane), hn::Store(h03, d, sums.parts[3] + lane);
-        hn::Store(h11, d, sums.parts[4] + lane), hn::Store(h12, d, sums.parts[5] + lane);
-        hn::Store(h13, d, sums.parts[6] + lane), hn::Store(h22, d, sums.parts[7] + lane);
-        hn::Store(h23, d, sums.parts[8] + lane), hn::Store(h33, d, sums.parts[9] + lane);
-        hn::Store(g0, d, sums.parts[10] + lane), hn::Store(g1, d, sums.parts[11] + lane);
-        hn::Store(g2, d, sums.parts[12] + lane), hn::Store(g3, d, sums.parts[13] + lane);
+        equations.store(lane, sums);
     }
 }
 
@@ -123,21 +99,10 @@ void place_edges(const Eigen::Vector3d& plane, EdgeRows& rows) {
 
 void add_rows(const EdgeRows& rows, const Eigen::Vector3d& plane, const Eigen::Matrix<double, 3, 4>& change,
               double outwards, double most, StepEquations& equations) {
-    RowSums sums;
+    EquationSums sums;
     HWY_DYNAMIC_DISPATCH(add_rows)(rows, plane.data(), change.data(), outwards, most, edge_roughness, sums);
-    const auto total = [&](std::size_t part) {
-        double sum = 0.0;
-        for (const double p : sums.parts[part]) sum += p;
-        return sum;
-    };
-    std::size_t part = 0;
-    for (int i = 0; i < 4; ++i)
-        for (int k = i; k < 4; ++k) {
-            const double sum = total(part++);
-            equations.information(i, k) += sum;
-            if (k != i) equations.information(k, i) += sum;
-        }
-    for (int i = 0; i < 4; ++i) equations.pull[i] += total(part++);
+    equations.information += sums.total_information();
+    equations.pull += sums.total_pull();
 }
 
 }  // namespace goalmouth

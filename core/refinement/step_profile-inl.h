@@ -54,7 +54,9 @@ class EdgePieces {
     /// dE/dσ and E_d − E_o.
     HWY_INLINE void blur(const Place& p, FloatVector& blur, FloatVector& digital) const {
         namespace hn = hwy::HWY_NAMESPACE;
-        const auto b0 = look_up(4, p), b1 = look_up(5, p), d0 = look_up(6, p), d1 = look_up(7, p);
+        const auto b0 = look_up(StepProfile::blur_factors, p), b1 = look_up(StepProfile::blur_factors + 1, p);
+        const auto d0 = look_up(StepProfile::digital_factors, p);
+        const auto d1 = look_up(StepProfile::digital_factors + 1, p);
         blur = hn::Add(b0, hn::Mul(p.way, b1));
         digital = hn::Add(d0, hn::Mul(p.way, d1));
     }

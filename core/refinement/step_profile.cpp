@@ -61,8 +61,8 @@ void StepProfile::set_blur(double sigma, double digital_share) {
         return End{0.5 * ((x + 1.0) * p_upper - (x - 1.0) * p_lower + sigma * (d_upper - d_lower)),
                    0.5 * (p_upper - p_lower), 0.5 * (d_upper - d_lower), digital_between(x)};
     };
-    pieces_ = {};
-    pieces_[count_ - 1].step[0] = 1.0F;
+    tables_ = {};
+    tables_[0][count_ - 1] = 1.0F;
     // E(−x) = 1 − E(x): half of the ends are enough.
     std::array<End, most_pieces> ends;
     for (int j = 0; 2 * j <= inner_pieces; ++j) {
@@ -81,18 +81,16 @@ void StepProfile::set_blur(double sigma, double digital_share) {
         const double f0 = mixed(start.optical, start.digital), f1 = mixed(end.optical, end.digital);
         const double m0 = mixed(start.slope, digital_slope), m1 = mixed(end.slope, digital_slope);
         const double mean = (f1 - f0) / length;
-        Piece& piece = pieces_[j + 1];
-        piece.step = {static_cast<float>(f0), static_cast<float>(m0),
-                      static_cast<float>((3.0 * mean - 2.0 * m0 - m1) / length),
-                      static_cast<float>((m0 + m1 - 2.0 * mean) / (length * length))};
-        piece.blur = {static_cast<float>(start.blur), static_cast<float>((end.blur - start.blur) / length)};
         const double apart0 = start.digital - start.optical, apart1 = end.digital - end.optical;
-        piece.digital = {static_cast<float>(apart0), static_cast<float>((apart1 - apart0) / length)};
-    }
-    for (std::size_t i = 0; i < most_pieces; ++i) {
-        for (std::size_t k = 0; k < 4; ++k) tables_[k][i] = pieces_[i].step[k];
-        for (std::size_t k = 0; k < 2; ++k) tables_[4 + k][i] = pieces_[i].blur[k];
-        for (std::size_t k = 0; k < 2; ++k) tables_[6 + k][i] = pieces_[i].digital[k];
+        const std::array<double, 8> factors = {f0,
+                                               m0,
+                                               (3.0 * mean - 2.0 * m0 - m1) / length,
+                                               (m0 + m1 - 2.0 * mean) / (length * length),
+                                               start.blur,
+                                               (end.blur - start.blur) / length,
+                                               apart0,
+                                               (apart1 - apart0) / length};
+        for (std::size_t k = 0; k < factors.size(); ++k) tables_[k][j + 1] = static_cast<float>(factors[k]);
     }
 }
 

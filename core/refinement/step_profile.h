@@ -35,14 +35,9 @@ class StepProfile {
         float digital;  // E_d − E_o
     };
 
-    /// x [px] from its start on.
-    struct Piece {
-        std::array<float, 4> step{};     // E, by powers of x
-        std::array<float, 2> blur{};     // dE/dσ
-        std::array<float, 2> digital{};  // E_d − E_o
-    };
-    static constexpr std::size_t most_pieces = 32;
-    /// The same numbers (step, blur, digital, each from the lowest power on), a table of all pieces for each.
+    /// Polynomials of pieces, x [px] from a piece's start on: a table over all pieces for each factor. E has
+    /// the first four, from the lowest power on, dE/dσ two and E_d − E_o two.
+    static constexpr std::size_t most_pieces = 32, blur_factors = 4, digital_factors = 6;
     using Tables = std::array<std::array<float, most_pieces>, 8>;
 
     /// σ [px] > 0, along the row; digital share 0…1.
@@ -52,7 +47,6 @@ class StepProfile {
 
     /// The piece that x [px] lies in is number ⌊(x + reach())·per_px()⌋ + 1; what lies beyond both ends has
     /// the first and the last.
-    const std::array<Piece, most_pieces>& pieces() const { return pieces_; }
     const Tables& tables() const { return tables_; }
     std::size_t count() const { return count_; }
     float per_px() const { return per_px_; }
@@ -62,10 +56,11 @@ class StepProfile {
                                      std::max(0.0F, (x + reach_) * per_px_ + 1.0F));  // NaN: 0
         const auto i = static_cast<std::size_t>(place);
         const float way = (place - static_cast<float>(i)) / per_px_;
-        const Piece& p = pieces_[i];
-        return {p.step[0] + way * (p.step[1] + way * (p.step[2] + way * p.step[3])),
-                p.step[1] + way * (2.0F * p.step[2] + way * (3.0F * p.step[3])), p.blur[0] + way * p.blur[1],
-                p.digital[0] + way * p.digital[1]};
+        const auto factor = [&](std::size_t k) { return tables_[k][i]; };
+        const float c1 = factor(1), c2 = factor(2), c3 = factor(3);
+        return {factor(0) + way * (c1 + way * (c2 + way * c3)), c1 + way * (2.0F * c2 + way * (3.0F * c3)),
+                factor(blur_factors) + way * factor(blur_factors + 1),
+                factor(digital_factors) + way * factor(digital_factors + 1)};
     }
 
   private:
@@ -74,7 +69,6 @@ class StepProfile {
     float reach_ = 0.0F;
     float per_px_ = 1.0F;
     std::size_t count_ = 1;
-    std::array<Piece, most_pieces> pieces_{};
     alignas(64) Tables tables_{};
 };
 
