@@ -89,28 +89,29 @@ bool compact(const Blobs& blobs, int i) {
 }  // namespace
 
 std::optional<ChromaRegion> find_field_colour(std::span<const YuyvImage> pictures) {
-    ChromaHistogram histogram, lower, all;
+    ChromaHistogram green_ones, lower, all;
     double most = 0.0;
     for (const YuyvImage& picture : pictures) {
         const YuyvView image = picture.view();
         const int rows = image.height - image.height / 2;
         const auto vote = static_cast<float>(1.0 / (static_cast<double>(rows) * image.width));
         double green = 0.0;
-        for (int y = image.height / 2; y < image.height; ++y) {
+        for (int y = 0; y < image.height; ++y) {
+            const bool in_lower = y >= image.height / 2;
             for (int x = 0; x < image.width; ++x) {
                 const Ycbcr p = image.at(x, y);
+                all.add(p, vote);
+                if (!in_lower) continue;
                 lower.add(p, vote);
                 if (!is_green(p)) continue;
-                histogram.add(p, vote);
+                green_ones.add(p, vote);
                 green += static_cast<double>(vote);
             }
         }
         most = std::max(most, green);
-        for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < image.width; ++x) all.add(image.at(x, y), vote);
     }
     if (most < least_green) return std::nullopt;
-    const ChromaRegion region = histogram.region_around_mode();
+    const ChromaRegion region = green_ones.region_around_mode();
     // Noise makes grey walls a little green, too: they have their peak at grey.
     const cv::Point2d peak = lower.highest_near(region.cb, region.cr);
     if (!is_green({128, static_cast<std::uint8_t>(peak.x), static_cast<std::uint8_t>(peak.y)}))

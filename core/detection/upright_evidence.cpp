@@ -1,5 +1,7 @@
 #include "core/detection/upright_evidence.h"
 
+#include "core/geometry/convex_hull.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -93,7 +95,7 @@ UprightJudge::Horizon UprightJudge::horizon_of(const UprightCandidates& candidat
                                                double distance) const {
     Horizon horizon;
     if (candidates.border.empty()) return horizon;
-    horizon.border = candidates.border_slope(edges.middle(0.0));
+    horizon.border = chain_y_at(candidates.border, edges.middle(0.0));
     constexpr double heights = 2.0, doubt = 0.1;  // green things behind the field raise its border
     horizon.deepest_base = horizon.border - heights * size_.height / distance - doubt;
     return horizon;

@@ -105,18 +105,9 @@ void UprightCandidates::find_border(const Candidates& candidates, const UprightV
     for (int i = 0; i <= columns; ++i) {
         const double x = first + i * step;
         const UprightRay ray = view.ray({x, chain_y_at(hull_, x)});
-        if (usable(ray) && (border.empty() || ray.azimuth > border.back().azimuth)) border.push_back(ray);
+        if (usable(ray) && (border.empty() || ray.azimuth > border.back().x()))
+            border.emplace_back(ray.azimuth, ray.slope);
     }
-}
-
-double UprightCandidates::border_slope(double azimuth) const {
-    const auto after = std::lower_bound(border.begin(), border.end(), azimuth,
-                                        [](const UprightRay& ray, double a) { return ray.azimuth < a; });
-    if (after == border.begin()) return after->slope;
-    if (after == border.end()) return border.back().slope;
-    const UprightRay& before = *(after - 1);
-    const double share = (azimuth - before.azimuth) / (after->azimuth - before.azimuth);
-    return before.slope + share * (after->slope - before.slope);
 }
 
 void UprightCandidates::find_rows(const Candidates& candidates) {

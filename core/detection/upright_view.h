@@ -66,14 +66,12 @@ class UprightCandidates {
     std::vector<UprightRun> runs;   // horizontal ones
     std::vector<UprightRun> field;  // where rows show the field
     std::vector<int> rows;          // px, the picture's horizontal scan-lines from top to bottom
-    /// The field's border: upper convex hull of where rows show it, at even columns from left to right. Empty
-    /// where none do.
-    std::vector<UprightRay> border;
+    /// The field's border, upper convex hull of where rows show it, as a chain of (azimuth, slope) from left
+    /// to right (chain_y_at). Empty where none do.
+    std::vector<Eigen::Vector2d> border;
 
     /// Scan-lines without candidates are put where the others let expect them.
     void take(const Candidates& candidates, const UprightView& view);
-    /// Slope of the border at an azimuth, that of the nearer end beyond its ends. Requires a border.
-    double border_slope(double azimuth) const;
 
   private:
     void find_border(const Candidates& candidates, const UprightView& view);

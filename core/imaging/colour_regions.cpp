@@ -14,6 +14,7 @@ namespace {
 constexpr double region_threshold = 0.02;  // of the mode's frequency
 constexpr double least_of_shade = 0.05;    // of all samples
 constexpr double same_hue = 14.0;          // [deg]
+constexpr double least_hued = 10.0;        // levels of chroma: nearer to grey a cell's middle tells no hue
 constexpr double least_of_mode = 0.5;      // a rival's distance from grey in the mode's hue, of the mode's
 
 /// Of the cell and its eight neighbours the highest.
@@ -35,23 +36,31 @@ double centre_of_cell(int index) {
     return index * 4.0 + 2.0;
 }
 
-double hue_of(double cb, double cr) {
-    return chroma_polar(128.0, cb - 128.0, cr - 128.0).hue;
+/// Of the chroma in a cell's middle.
+ChromaPolar polar_of(cv::Point cell) {
+    return chroma_polar(128.0, centre_of_cell(cell.y) - 128.0, centre_of_cell(cell.x) - 128.0);
 }
 
-ChromaRegion region_of_mode(const cv::Mat& smooth) {
-    double peak = 0.0;
+/// The cells that reach 2 % of the highest, joined where they touch.
+struct JoinedCells {
+    explicit JoinedCells(const cv::Mat& heights) {
+        double peak = 0.0;
+        cv::minMaxLoc(heights, nullptr, &peak, nullptr, &mode);
+        const cv::Mat above = heights >= peak * region_threshold;
+        count = cv::connectedComponents(above, components, 8, CV_32S);
+    }
+    ChromaRegion around_mode() const {
+        ChromaRegion region;
+        region.cells = components == components.at<int>(mode);
+        region.cr = centre_of_cell(mode.x);
+        region.cb = centre_of_cell(mode.y);
+        return region;
+    }
+
+    cv::Mat components;  // CV_32S, 0 outside
+    int count = 0;       // with the outside
     cv::Point mode;
-    cv::minMaxLoc(smooth, nullptr, &peak, nullptr, &mode);
-    cv::Mat above = smooth >= peak * region_threshold;
-    cv::Mat components;
-    cv::connectedComponents(above, components, 8, CV_32S);
-    ChromaRegion region;
-    region.cells = components == components.at<int>(mode);
-    region.cr = centre_of_cell(mode.x);
-    region.cb = centre_of_cell(mode.y);
-    return region;
-}
+};
 
 }  // namespace
 
@@ -74,28 +83,26 @@ cv::Point2d ChromaHistogram::highest_near(double cb, double cr) const {
 }
 
 ChromaRegion ChromaHistogram::region_around_mode() const {
-    return region_of_mode(smoothed());
+    return JoinedCells(smoothed()).around_mode();
 }
 
 ChromaRegion ChromaHistogram::shades_of_mode() const {
     const cv::Mat smooth = smoothed();
-    ChromaRegion region = region_of_mode(smooth);
-    double peak = 0.0;
-    cv::minMaxLoc(smooth, nullptr, &peak);
-    cv::Mat rest = smooth >= peak * region_threshold;
-    rest.setTo(0, region.cells);
-    cv::Mat components;
-    const int count = cv::connectedComponents(rest, components, 8, CV_32S);
-    const double hue = hue_of(region.cb, region.cr), all = cv::sum(cells_)[0];
-    for (int i = 1; i < count; ++i) {
-        const cv::Mat own = components == i;
+    const JoinedCells joined(smooth);
+    ChromaRegion region = joined.around_mode();
+    const ChromaPolar mode = polar_of(joined.mode);
+    if (mode.chroma < least_hued) return region;
+    const double all = cv::sum(cells_)[0];
+    for (int i = 1; i < joined.count; ++i) {
+        const cv::Mat own = joined.components == i;
         cv::Mat samples = cv::Mat::zeros(cells_.size(), cells_.type());
         cells_.copyTo(samples, own);
         if (cv::sum(samples)[0] < least_of_shade * all) continue;
         cv::Point highest;
         cv::minMaxLoc(smooth, nullptr, nullptr, nullptr, &highest, own);
-        const double off = hue_of(centre_of_cell(highest.y), centre_of_cell(highest.x)) - hue;
-        if (std::abs(std::remainder(off, 360.0)) <= same_hue) region.cells.setTo(255, own);
+        const ChromaPolar peak = polar_of(highest);
+        if (peak.chroma >= least_hued && std::abs(std::remainder(peak.hue - mode.hue, 360.0)) <= same_hue)
+            region.cells.setTo(255, own);
     }
     return region;
 }

@@ -31,8 +31,8 @@ class ChromaHistogram {
     /// sample.
     ChromaRegion region_around_mode() const;
     /// The same and, where it is lit differently elsewhere, the surface there: other joined cells of that
-    /// height which hold a twentieth or more of the samples and whose peak has the mode's hue to 14°.
-    /// Requires a sample.
+    /// height which hold a twentieth or more of the samples and whose peak has the mode's hue to 14°. None
+    /// for a mode nearer to grey than 10 levels. Requires a sample.
     ChromaRegion shades_of_mode() const;
     /// `region` less the cells from which the way uphill in this histogram, of all that the pictures show,
     /// ends at another surface's peak: one not half as far from grey as the region's mode, seen in the mode's

@@ -3,6 +3,7 @@
 #include "tests/core/colour_learning/drawn_pitch.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -79,12 +80,22 @@ INSTANTIATE_TEST_SUITE_P(ColourLearner, Lights,
 
 TEST(ColourLearner, AWallInTheCarpetsReflectionIsNotField) {
     DrawnPitch pitch;
-    pitch.wall = {142, 160, 146};
+    pitch.wall = {100, 130, 105};
     pitch.light = {0.6, 0.6, 0.6};
     const LearntColours learnt = learn_without_labels(pictures_of(pitch, 6), GoalPaint::yellow, 6, "t");
     EXPECT_GE(agreement(learnt.table, pitch, Colour::field).precision, 0.95);
     EXPECT_GE(agreement(learnt.table, pitch, Colour::field).recall, 0.95);
     EXPECT_GE(agreement(learnt.table, pitch, Colour::goal).recall, 0.95);
+}
+
+TEST(ColourLearner, PostsInTheSunAndInTheShadowAreOfOneColour) {
+    DrawnPitch sun, shadow;
+    shadow.light = {0.4, 0.4, 0.4};
+    std::vector<YuyvImage> pictures = pictures_of(sun, 4);
+    for (YuyvImage& picture : pictures_of(shadow, 4, 4)) pictures.push_back(std::move(picture));
+    const LearntColours learnt = learn_without_labels(pictures, GoalPaint::yellow, 6, "t");
+    EXPECT_GE(agreement(learnt.table, sun, Colour::goal).recall, 0.95);
+    EXPECT_GE(agreement(learnt.table, shadow, Colour::goal).recall, 0.95);
 }
 
 TEST(ColourLearner, WhiteGoalsAreTheClassGoal) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -49,6 +50,21 @@ TEST(CameraResponse, APairIsTheMeanOfItsPixels) {
     const std::uint8_t grey[] = {0, 128, 255, 128};
     EXPECT_NEAR(PairRow(grey, 1, CameraResponse::srgb)[0].x(), 127.5F, 0.1F)
         << "light, not levels, is averaged";
+}
+
+TEST(CameraResponse, PairsAddUpToTheSumOfTheirColours) {
+    std::uint8_t row[4 * 23];
+    for (std::size_t i = 0; i < sizeof row; ++i) row[i] = static_cast<std::uint8_t>(37 * i + i * i / 5);
+    for (const CameraResponse response : {CameraResponse::linear, CameraResponse::srgb}) {
+        const PairRow pairs(row, 23, response);
+        for (const auto& [first, last] :
+             {std::pair(0, 22), std::pair(3, 3), std::pair(5, 17), std::pair(7, 6)}) {
+            PairColour expected(1.0F, -2.0F, 3.0F), sum = expected;
+            for (int pair = first; pair <= last; ++pair) expected += pairs[pair];
+            pairs.add(first, last, sum);
+            EXPECT_LT((sum - expected).norm(), 1e-3F) << first << " to " << last;
+        }
+    }
 }
 
 TEST(CameraResponse, CodedLightIsUndoneUnasked) {

@@ -2,14 +2,23 @@
 
 #include "core/random/random.h"
 #include "core/refinement/edge_row_reader.h"
+#include "core/refinement/end_equations.h"
 #include "core/refinement/level_smoother.h"
 #include "core/refinement/piece_evidence.h"
 #include "core/refinement/post_refiner.h"
+#include "core/refinement/row_differences.h"
 #include "core/refinement/row_measurement.h"
+#include "core/refinement/row_pixels.h"
 #include "core/refinement/row_purity.h"
 #include "tests/core/refinement/drawn_post.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -143,6 +152,90 @@ TEST(RefinementVectors, TheNthSmallestIsThatOfTheSortedNumbers) {
         on_each_vector_target([&] {
             for (const std::size_t n : {std::size_t{0}, count / 3, count / 2, count - 1})
                 EXPECT_EQ(nth_smallest(numbers.data(), count, n), sorted[n]) << count << " " << n;
+        });
+    }
+}
+
+std::vector<std::uint8_t> drawn_bytes(std::size_t count, std::uint64_t seed) {
+    Random random(seed);
+    std::vector<std::uint8_t> bytes(count);
+    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random.index(256));
+    return bytes;
+}
+
+TEST(RefinementVectors, DifferencesOfARowArePostColours) {
+    PostColour colour;
+    colour.mean = {90.0F, -40.0F, 12.0F};
+    colour.contrast << 0.5F, 0.1F, -0.2F, 0.1F, 0.7F, 0.05F, -0.2F, 0.05F, 0.3F;
+    for (const std::size_t pairs : {0UL, 1UL, 3UL, 16UL, 21UL, RowDifferences::most}) {
+        // Vectors of their very length: what is read beyond them a sanitizer sees.
+        const std::vector<std::uint8_t> upper = drawn_bytes(4 * pairs, 1), lower = drawn_bytes(4 * pairs, 2);
+        const PairRow first(upper.data(), static_cast<int>(pairs), CameraResponse::linear);
+        const PairRow second(lower.data(), static_cast<int>(pairs), CameraResponse::linear);
+        on_each_vector_target([&] {
+            RowDifferences differences;
+            row_differences(upper.data(), lower.data(), pairs, colour, differences);
+            for (std::size_t i = 0; i < pairs; ++i) {
+                const auto pair = static_cast<int>(i);
+                const float expected = colour.difference(0.5F * (first[pair] + second[pair]));
+                EXPECT_NEAR(differences.difference[i], expected, 1e-5F * std::abs(expected) + 1e-3F)
+                    << i << " of " << pairs;
+            }
+        });
+    }
+}
+
+TEST(RefinementVectors, ABlocksPairsAreLaidOutAsTheyStandInItsRows) {
+    constexpr std::size_t pairs = 7;  // no whole number of those read at once
+    std::array<std::vector<std::uint8_t>, EdgeRows::block> rows;
+    std::array<const std::uint8_t*, EdgeRows::block> from{};
+    for (std::size_t lane = 0; lane < EdgeRows::block; ++lane) {
+        rows[lane] = drawn_bytes(4 * (pairs + 1), lane + 1);
+        from[lane] = rows[lane].data();
+    }
+    on_each_vector_target([&] {
+        const auto raw = std::make_unique<RawPairs>();
+        lay_out(from, pairs, raw->bins[0]);
+        for (std::size_t k = 0; k < pairs; ++k)
+            for (std::size_t lane = 0; lane < EdgeRows::block; ++lane)
+                EXPECT_EQ(std::memcmp(&raw->bins[0][k][lane], from[lane] + 4 * k, 4), 0)
+                    << k << " of row " << lane;
+    });
+}
+
+TEST(RefinementVectors, EquationsOfAnEndAreItsSums) {
+    Random random(11);
+    const NormalTable normal;
+    const EndStep step{0.4, 1.3, 2.0, 30.0};
+    for (const std::size_t count : {1UL, 8UL, 61UL}) {
+        RowColumn<double> way, value;
+        way.assign(count);
+        value.assign(count);
+        EndEquations expected;
+        for (std::size_t i = 0; i < count; ++i) {
+            way[i] = random.uniform(-12.0, 12.0);
+            value[i] = random.uniform(0.0, 35.0);
+            const double z = (way[i] - step.place) / step.blur, height = step.outer - step.inner;
+            const double below = 0.5 * std::erfc(-z / std::numbers::sqrt2);
+            const double slope = height * std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
+            const Eigen::Vector4d j(-slope / step.blur, -slope * z, 1.0 - below, below);
+            const double miss = value[i] - step.inner - height * below;
+            expected.information += j * j.transpose();
+            expected.pull += miss * j;
+            expected.squares += miss * miss;
+        }
+        std::optional<std::vector<double>> first;
+        on_each_vector_target([&] {
+            const EndEquations e = end_equations(way, value, count, step, normal);
+            const double near = 1e-4 * expected.information.norm();
+            EXPECT_LT((e.information - expected.information).norm(), near);
+            EXPECT_LT((e.pull - expected.pull).norm(), 1e-4 * expected.pull.norm());
+            EXPECT_NEAR(e.squares, expected.squares, 1e-4 * expected.squares);
+            std::vector<double> here(e.information.data(), e.information.data() + 16);
+            here.insert(here.end(), e.pull.data(), e.pull.data() + 4);
+            here.push_back(e.squares);
+            expect_same(first, here);
+            first = here;
         });
     }
 }
