@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 namespace {
 
 /// CLI11 says of a misspelt verb or option only that another is missing. Empty: nothing is misspelt.

@@ -1,5 +1,7 @@
 #include "core/messaging/bus.h"
 
+#include <fmt/format.h>
+
 #include <spdlog/spdlog.h>
 
 namespace goalmouth {
@@ -12,7 +14,7 @@ std::int64_t BusCounters::rejected_total() const {
 
 void Bus::reject(const std::string& channel, const std::string& cause) {
     if (counters_.rejected[channel + ": " + cause]++ == 0) {
-        spdlog::warn("{}: message refused: {} (counted from now on)", channel, cause);
+        spdlog::warn(fmt::format("{}: message refused: {} (counted from now on)", channel, cause));
     }
 }
 

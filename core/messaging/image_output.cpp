@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <stdexcept>
 #include <utility>
 
@@ -71,13 +72,13 @@ void ImageOutput::say_no_room(std::size_t bytes, const std::string& why) {
     if (no_room_for_ != 0 && bytes >= no_room_for_) return;
     no_room_for_ = bytes;
     if (ring_) {
-        spdlog::warn(
+        spdlog::warn(fmt::format(
             "camera {}: no room for {} bytes at once: {}. Images that fit into the ring there is, {} bytes, "
             "are "
             "sent through it meanwhile. Trying on",
-            camera_, bytes, why, ring_->slot_bytes());
+            camera_, bytes, why, ring_->slot_bytes()));
     } else {
-        spdlog::error("images of camera {} cannot be sent: {}. Trying on", camera_, why);
+        spdlog::error(fmt::format("images of camera {} cannot be sent: {}. Trying on", camera_, why));
     }
 }
 
@@ -99,7 +100,7 @@ bool ImageOutput::make_room(std::size_t bytes) {
     // Also where this one is smaller than the one there was no room for: images are sent now, and what lacks
     // room still is a matter of its own.
     if (std::exchange(no_room_for_, 0) != 0)
-        spdlog::info("there is shared memory for the images of camera {} now", camera_);
+        spdlog::info(fmt::format("there is shared memory for the images of camera {} now", camera_));
     return true;
 }
 

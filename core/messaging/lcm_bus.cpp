@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fmt/format.h>
 #include <poll.h>
 #include <stdexcept>
 
@@ -78,7 +79,8 @@ bool LcmBus::size_refused(const std::string& channel, std::size_t bytes) {
         return true;
     }
     ++counters_.oversized;
-    if (oversized_.insert(channel).second) spdlog::warn("{}: {}", channel, oversized_text(bytes, sizes_));
+    if (oversized_.insert(channel).second)
+        spdlog::warn(fmt::format("{}: {}", channel, oversized_text(bytes, sizes_)));
     return false;
 }
 
@@ -90,7 +92,8 @@ void LcmBus::publish(const std::string& channel, std::span<const std::uint8_t> m
         ++counters_.published;
     } else if (!failure_logged_) {
         failure_logged_ = true;
-        spdlog::warn("{}: LCM could not send a message of {} bytes (said once)", channel, message.size());
+        spdlog::warn(
+            fmt::format("{}: LCM could not send a message of {} bytes (said once)", channel, message.size()));
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fmt/format.h>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -39,9 +40,9 @@ void TapLog::append(const std::string& channel, std::span<const std::uint8_t> me
         writer_.write(channel, utime, message);
     } catch (const std::runtime_error& error) {
         if (not_written_++ == 0)
-            spdlog::error(
+            spdlog::error(fmt::format(
                 "{}: what comes now is missing in it until there is room; what it holds stays readable",
-                error.what());
+                error.what()));
     }
 }
 

@@ -209,10 +209,10 @@ int run_module_program(const ModuleType& type, int argc, char** argv) {
         run(type, line);
         return 0;
     } catch (const ConfigurationError& error) {
-        spdlog::error("{}", error.what());
+        spdlog::error(error.what());
         return 2;
     } catch (const std::exception& error) {
-        spdlog::error("{}", error.what());
+        spdlog::error(error.what());
         return 1;
     }
 }

@@ -10,6 +10,7 @@
 #include "core/messaging/clock.h"
 #include "core/process/configuration.h"
 
+#include <fmt/format.h>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -28,7 +29,7 @@ constexpr double usual_rate = 30.0;
 
 std::unique_ptr<ImageSource> open_source(const CameraParameters& p, FrameMemory& memory,
                                          FrameMemory& for_files) {
-    const SourceLog log = [](const std::string& what) { spdlog::warn("{}", what); };
+    const SourceLog log = [](const std::string& what) { spdlog::warn(what); };
     const ImageSize size{p.width, p.height};
     try {
         if (p.source == "v4l2") {
@@ -98,8 +99,8 @@ std::optional<Intrinsics> CameraModule::intrinsics_for(int width, int height) {
     if (!fitting) {
         context_.status.count("wrong_shape");
         if (!std::exchange(said_wrong_shape_, true)) {
-            spdlog::warn("skipped: an image of {}x{}, but the calibration {} is for {}x{}", width, height,
-                         parameters_.camera, calibration_->width, calibration_->height);
+            spdlog::warn(fmt::format("skipped: an image of {}x{}, but the calibration {} is for {}x{}", width,
+                                     height, parameters_.camera, calibration_->width, calibration_->height));
         }
     }
     return fitting;
@@ -119,7 +120,8 @@ bool CameraModule::decode() {
         decoder_.decode(jpeg, decoded_.prepare(captured_, width, height));
     } catch (const std::runtime_error& error) {
         context_.status.count("damaged_jpeg");
-        if (!std::exchange(said_damaged_jpeg_, true)) spdlog::warn("skipped: a frame: {}", error.what());
+        if (!std::exchange(said_damaged_jpeg_, true))
+            spdlog::warn(fmt::format("skipped: a frame: {}", error.what()));
         return false;
     }
     return true;

@@ -10,6 +10,7 @@
 #include "core/process/configuration.h"
 
 #include <exception>
+#include <fmt/format.h>
 #include <utility>
 
 #include <spdlog/spdlog.h>
@@ -42,7 +43,7 @@ UprightDetectionModule::~UprightDetectionModule() {
     try {
         answer(aligner_.flush());
     } catch (const std::exception& error) {
-        spdlog::error("{} frames are not answered: {}", waiting_.size(), error.what());
+        spdlog::error(fmt::format("{} frames are not answered: {}", waiting_.size(), error.what()));
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <fmt/format.h>
 #include <tuple>
 #include <utility>
 
@@ -64,7 +65,7 @@ RefinementModule::~RefinementModule() {
     try {
         answer(aligner_.flush());
     } catch (const std::exception& error) {
-        spdlog::error("{} frames are not answered: {}", waiting_.size(), error.what());
+        spdlog::error(fmt::format("{} frames are not answered: {}", waiting_.size(), error.what()));
     }
 }
 

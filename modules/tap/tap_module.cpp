@@ -7,6 +7,7 @@
 #include "core/messaging/typed.h"
 #include "core/process/configuration.h"
 
+#include <fmt/format.h>
 #include <stdexcept>
 #include <thread>
 
@@ -47,8 +48,8 @@ std::shared_ptr<Bus> bus_for(ModuleContext& context, const TapParameters& parame
         const std::string url = tap_url(context.lcm_url, parameters.url);
         if (same_traffic(url, context.lcm_url)) return graph_bus(context);
         auto bus = context.open_bus(url);
-        spdlog::info("whole pictures{} are on {}: lcm-logger --lcm-url='{}' FILE",
-                     parameters.forward ? " and the graph's messages" : "", url, url);
+        spdlog::info(fmt::format("whole pictures{} are on {}: lcm-logger --lcm-url='{}' FILE",
+                                 parameters.forward ? " and the graph's messages" : "", url, url));
         return bus;
     } catch (const std::exception& error) {
         throw ConfigurationError(context.name + ": url: " + error.what());
@@ -61,7 +62,7 @@ std::unique_ptr<TapLog> log_for(const ModuleContext& context, const TapParameter
         auto log = std::make_unique<TapLog>(
             parameters.file, parameters.slice_bytes, context.channel(channels::image_tap),
             context.channel(channels::image_slices), now_utime(), Clock::now());
-        spdlog::info("records to {}", log->file().string());
+        spdlog::info(fmt::format("records to {}", log->file().string()));
         return log;
     } catch (const std::runtime_error& error) {
         throw ConfigurationError(context.name + ": file: " + error.what());

@@ -24,6 +24,7 @@
 #include <optional>
 #include <utility>
 
+#include <nlohmann/json.hpp>
 #include <opencv2/core/utility.hpp>
 
 namespace goalmouth::bench {

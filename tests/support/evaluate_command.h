@@ -3,10 +3,11 @@
 #include "tests/support/data.h"
 #include "tests/support/files.h"
 #include "tests/support/refusal.h"
+#include "tests/support/run_verb.h"
 #include "tools/evaluate/evaluate.h"
 
-#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -20,16 +21,11 @@ struct EvaluateCommand : testing::Test {
 
     /// Exit code; what it prints is kept in `printed`.
     int run(std::vector<std::string> arguments) {
-        CLI::App app;
-        Action action;
-        add_evaluate_verb(app, action);
         arguments.insert(arguments.begin(), "evaluate");
-        std::reverse(arguments.begin(), arguments.end());
-        app.parse(arguments);
         testing::internal::CaptureStdout();
         int code = -1;
         try {
-            code = action();
+            code = run_verb(add_evaluate_verb, std::move(arguments));
         } catch (...) {
             printed = testing::internal::GetCapturedStdout();
             throw;

@@ -8,6 +8,7 @@
 #include <set>
 #include <sys/wait.h>
 
+#include <CLI/CLI.hpp>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 

@@ -7,6 +7,7 @@
 #include "tests/bench/summary.h"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 namespace goalmouth::bench {
 namespace {

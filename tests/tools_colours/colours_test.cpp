@@ -3,6 +3,7 @@
 #include "core/imaging/image_file.h"
 #include "core/process/configuration.h"
 #include "tests/support/data.h"
+#include "tests/support/run_verb.h"
 #include "tools/goalmouth/annotations.h"
 #include "tools/goalmouth/colours_train.h"
 #include "tools/goalmouth/verbs.h"
@@ -10,8 +11,10 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <CLI/Error.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
@@ -27,13 +30,8 @@ class Colours : public testing::Test {
   protected:
     /// Runs `goalmouth colours ARGUMENTS…`. Throws what main would turn into an exit code.
     static int colours(std::vector<std::string> arguments) {
-        CLI::App app;
-        Action action;
-        add_colours_verb(app, action);
         arguments.insert(arguments.begin(), "colours");
-        std::reverse(arguments.begin(), arguments.end());
-        app.parse(arguments);
-        return action();
+        return test::run_verb(add_colours_verb, std::move(arguments));
     }
     static std::string error_of(const std::vector<std::string>& arguments) {
         try {

@@ -9,11 +9,13 @@
 #include "tests/support/data.h"
 #include "tests/support/files.h"
 #include "tests/support/refusal.h"
+#include "tests/support/run_verb.h"
 #include "tools/colours/colours.h"
 #include "tools/colours/learning_pictures.h"
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -31,13 +33,11 @@ class ColoursLearn : public testing::Test {
   protected:
     /// Runs `goalmouth colours learn ARGUMENTS…`.
     static int learn(std::vector<std::string> arguments) {
-        CLI::App app;
-        Action action;
-        add_colours_learn(*add_colours_verb(app, action), action);
         arguments.insert(arguments.begin(), {"colours", "learn"});
-        std::reverse(arguments.begin(), arguments.end());
-        app.parse(arguments);
-        return action();
+        const auto add = [](CLI::App& app, Action& action) {
+            add_colours_learn(*add_colours_verb(app, action), action);
+        };
+        return test::run_verb(add, std::move(arguments));
     }
     static std::string error_of(const std::vector<std::string>& arguments) {
         return test::message_of([&] { learn(arguments); });

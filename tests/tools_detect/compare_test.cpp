@@ -4,10 +4,12 @@
 #include "core/process/configuration.h"
 #include "tests/support/data.h"
 #include "tests/support/post_scene.h"
+#include "tests/support/run_verb.h"
 #include "tools/goalmouth/verbs.h"
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -29,12 +31,7 @@ struct Compare : testing::Test {
         std::vector<std::string> arguments = {"compare",       path(image), "-o",
                                               path("out.png"), "--width",   "320"};
         for (std::string& way : ways) arguments.insert(arguments.end(), {"--way", std::move(way)});
-        CLI::App app;
-        Action action;
-        add_compare_verb(app, action);
-        std::reverse(arguments.begin(), arguments.end());
-        app.parse(arguments);
-        EXPECT_EQ(action(), 0);
+        EXPECT_EQ(test::run_verb(add_compare_verb, std::move(arguments)), 0);
         return cv::imread(path("out.png"));
     }
 

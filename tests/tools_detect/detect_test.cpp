@@ -4,14 +4,17 @@
 #include "core/process/configuration.h"
 #include "tests/support/data.h"
 #include "tests/support/post_scene.h"
+#include "tests/support/run_verb.h"
 #include "tools/goalmouth/verbs.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <CLI/Error.hpp>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -51,12 +54,7 @@ struct Detect : testing::Test {
         if (with_table) arguments.insert(arguments.end(), {"--colours", path("table.gmct")});
         if (std::find(arguments.begin(), arguments.end(), "--graph") == arguments.end())
             arguments.insert(arguments.end(), {"--graph", path("graph.yaml")});
-        CLI::App app;
-        Action action;
-        add_detect_verb(app, action);
-        std::reverse(arguments.begin(), arguments.end());
-        app.parse(arguments);
-        return action();
+        return test::run_verb(add_detect_verb, std::move(arguments));
     }
     json report() const { return json::parse(std::ifstream(path("out.json"))); }
 

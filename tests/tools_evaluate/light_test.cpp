@@ -2,6 +2,7 @@
 
 #include "tests/support/evaluate_command.h"
 
+#include <CLI/Error.hpp>
 #include <gmock/gmock.h>
 
 namespace goalmouth {

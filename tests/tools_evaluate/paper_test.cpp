@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 
+#include <CLI/Error.hpp>
 #include <gmock/gmock.h>
 
 namespace goalmouth {

@@ -10,6 +10,8 @@
 #include <optional>
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 namespace goalmouth {
 
 namespace {

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 namespace goalmouth {
 namespace {
 

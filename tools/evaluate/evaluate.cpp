@@ -5,6 +5,8 @@
 #include "tools/evaluate/light.h"
 #include "tools/evaluate/localisation.h"
 
+#include <CLI/CLI.hpp>
+
 namespace goalmouth {
 
 void add_evaluate_verb(CLI::App& app, Action& action) {

@@ -2,8 +2,6 @@
 
 #include "tools/goalmouth/verbs.h"
 
-#include <CLI/CLI.hpp>
-
 namespace goalmouth {
 
 /// `goalmouth evaluate` with its verbs.

@@ -16,6 +16,9 @@
 #include <optional>
 #include <thread>
 
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
 namespace goalmouth {
 namespace {
 

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <optional>
 
+#include <nlohmann/json.hpp>
+
 namespace goalmouth {
 namespace {
 

@@ -13,6 +13,8 @@
 #include <iostream>
 #include <thread>
 
+#include <CLI/CLI.hpp>
+
 namespace goalmouth {
 namespace {
 

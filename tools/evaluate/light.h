@@ -8,8 +8,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 namespace goalmouth {
 
 /// What a command line asks for, with every file read and checked.

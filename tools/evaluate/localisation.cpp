@@ -22,6 +22,8 @@
 #include <optional>
 #include <thread>
 
+#include <CLI/CLI.hpp>
+
 namespace goalmouth {
 namespace {
 

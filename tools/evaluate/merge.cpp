@@ -18,6 +18,8 @@
 #include <memory>
 #include <set>
 
+#include <CLI/CLI.hpp>
+
 namespace goalmouth {
 namespace {
 

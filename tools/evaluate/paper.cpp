@@ -18,6 +18,8 @@
 #include <memory>
 #include <thread>
 
+#include <CLI/CLI.hpp>
+
 namespace goalmouth {
 namespace {
 

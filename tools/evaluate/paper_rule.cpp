@@ -2,6 +2,8 @@
 
 #include "core/evaluation/post_matching.h"
 
+#include <nlohmann/json.hpp>
+
 namespace goalmouth {
 
 nlohmann::ordered_json paper_rule() {

@@ -10,6 +10,8 @@
 #include <string>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
+
 namespace goalmouth {
 namespace {
 

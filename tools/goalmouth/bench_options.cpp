@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 namespace goalmouth {
 namespace {
 

@@ -14,7 +14,7 @@ std::string join(const std::vector<std::string>& words, const std::string& betwe
 }
 
 /// For use between single quotes of a shell.
-std::string quoted(const std::string& text) {
+std::string shell_quoted(const std::string& text) {
     std::string result = "'";
     for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return result + "'";
@@ -44,7 +44,7 @@ std::string bash_reply(const CompletedValue& value, const std::vector<std::strin
     words.insert(words.end(), further.begin(), further.end());
     const char* kind = value.files ? "-f " : value.folders ? "-d " : "";
     return std::string(value.files || value.folders ? "compopt -o filenames 2>/dev/null; " : "") +
-           "COMPREPLY=($(compgen " + kind + "-W " + quoted(join(words, " ")) + " -- \"$cur\"))";
+           "COMPREPLY=($(compgen " + kind + "-W " + shell_quoted(join(words, " ")) + " -- \"$cur\"))";
 }
 
 /// ':' and brackets mean something in zsh's option descriptions.
@@ -77,10 +77,10 @@ std::string bash_completion(const CompletedCommand& program) {
     std::ostringstream replies;
     for_each(program, program.name, [&](const CompletedCommand& command, const std::string& path) {
         for (const auto& inner : command.subcommands) {
-            steps << "            " << quoted(path + " " + inner.name)
-                  << ") path=" << quoted(path + " " + inner.name) << " ;;\n";
+            steps << "            " << shell_quoted(path + " " + inner.name)
+                  << ") path=" << shell_quoted(path + " " + inner.name) << " ;;\n";
         }
-        replies << "        " << quoted(path) << ")\n            case \"$prev\" in\n";
+        replies << "        " << shell_quoted(path) << ")\n            case \"$prev\" in\n";
         std::vector<std::string> words;
         for (const auto& inner : command.subcommands) words.push_back(inner.name);
         for (const auto& option : command.options) {
@@ -95,7 +95,7 @@ std::string bash_completion(const CompletedCommand& program) {
     return "# Completion of " + program.name + " for bash; printed by '" + program.name +
            " completion bash'.\n" + function +
            "() {\n    local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} path=" +
-           quoted(program.name) +
+           shell_quoted(program.name) +
            " word\n    for word in \"${COMP_WORDS[@]:1:COMP_CWORD-1}\"; do\n        case \"$path $word\" "
            "in\n" +
            steps.str() + "        esac\n    done\n    case \"$path\" in\n" + replies.str() +
@@ -115,19 +115,19 @@ std::string zsh_completion(const CompletedCommand& program) {
                     (option.repeatable ? "*" : "") + name + "[" + zsh_text(option.description) + "]";
                 if (option.takes_value)
                     spec += ":" + zsh_text(option.value.name) + ":" + zsh_action(option.value);
-                out << " \\\n        " << quoted(spec);
+                out << " \\\n        " << shell_quoted(spec);
             }
         }
         if (!command.subcommands.empty()) {
             out << " \\\n        '1: :->verb' '*:: :->rest'";
         } else if (!command.positionals.empty()) {
-            out << " \\\n        " << quoted("*:argument:" + zsh_action(all_positionals(command)));
+            out << " \\\n        " << shell_quoted("*:argument:" + zsh_action(all_positionals(command)));
         }
         out << '\n';
         if (!command.subcommands.empty()) {
             out << "    case $state in\n        verb)\n            local -a verbs\n            verbs=(";
             for (const auto& inner : command.subcommands) {
-                out << "\n                " << quoted(inner.name + ":" + inner.description);
+                out << "\n                " << shell_quoted(inner.name + ":" + inner.description);
             }
             out << ")\n            _describe verb verbs ;;\n        rest)\n            case $line[1] in\n";
             for (const auto& inner : command.subcommands) {
@@ -162,9 +162,9 @@ std::string fish_completion(const CompletedCommand& program) {
             condition +=
                 (condition.empty() ? "" : "; and ") + std::string("not __fish_seen_subcommand_from") + inner;
         }
-        const std::string start = "complete -c " + program.name + " -n " + quoted(condition);
+        const std::string start = "complete -c " + program.name + " -n " + shell_quoted(condition);
         for (const auto& below : command.subcommands) {
-            out << start << " -a " << below.name << " -d " << quoted(below.description) << '\n';
+            out << start << " -a " << below.name << " -d " << shell_quoted(below.description) << '\n';
         }
         for (const auto& option : command.options) {
             out << start;
@@ -173,14 +173,15 @@ std::string fish_completion(const CompletedCommand& program) {
             if (option.takes_value) {
                 out << (option.value.files ? " -r -F" : " -x");
                 if (option.value.folders) out << " -a '(__fish_complete_directories)'";
-                if (!option.value.words.empty()) out << " -a " << quoted(join(option.value.words, " "));
+                if (!option.value.words.empty()) out << " -a " << shell_quoted(join(option.value.words, " "));
             }
-            out << " -d " << quoted(option.description) << '\n';
+            out << " -d " << shell_quoted(option.description) << '\n';
         }
         const CompletedValue positional = all_positionals(command);
         if (positional.files) out << start << " -F\n";
         if (positional.folders && !positional.files) out << start << " -a '(__fish_complete_directories)'\n";
-        if (!positional.words.empty()) out << start << " -a " << quoted(join(positional.words, " ")) << '\n';
+        if (!positional.words.empty())
+            out << start << " -a " << shell_quoted(join(positional.words, " ")) << '\n';
     });
     return out.str();
 }

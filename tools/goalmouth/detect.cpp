@@ -18,6 +18,9 @@
 #include <unistd.h>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
 namespace goalmouth {
 namespace {
 

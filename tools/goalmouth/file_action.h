@@ -6,6 +6,8 @@
 
 #include <filesystem>
 
+#include <CLI/CLI.hpp>
+
 namespace goalmouth {
 
 /// A file the command line named and that cannot be used is the user's to mend.

@@ -8,6 +8,8 @@
 #include <iostream>
 #include <memory>
 
+#include <CLI/CLI.hpp>
+
 namespace goalmouth {
 namespace {
 

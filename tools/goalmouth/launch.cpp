@@ -8,6 +8,8 @@
 #include <csignal>
 #include <memory>
 
+#include <CLI/CLI.hpp>
+
 namespace goalmouth {
 namespace {
 

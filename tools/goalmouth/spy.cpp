@@ -10,6 +10,8 @@
 #include <memory>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
+
 namespace goalmouth {
 namespace {
 

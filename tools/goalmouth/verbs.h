@@ -2,7 +2,10 @@
 
 #include <functional>
 
-#include <CLI/CLI.hpp>
+// Complete only where options are declared: CLI11 costs whoever includes it seconds.
+namespace CLI {
+class App;
+}
 
 namespace goalmouth {
 

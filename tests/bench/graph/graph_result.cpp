@@ -7,6 +7,8 @@
 #include <ostream>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 namespace goalmouth::bench {
 namespace {
 
