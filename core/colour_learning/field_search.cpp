@@ -1,6 +1,7 @@
 #include "core/colour_learning/field_search.h"
 
 #include "core/colour_learning/level_counts.h"
+#include "core/colour_learning/same_surface.h"
 #include "core/imaging/rgb.h"
 
 #include <algorithm>
@@ -21,11 +22,8 @@ constexpr double warmth_step = 0.1;
 // From 2700 to 7500 K, blue over green changes about twice as much as red over green, the other way round (in
 // logarithms; black bodies, BT.709 primaries).
 constexpr double blue_to_red = -2.0;
-constexpr double least_luma = 12.0;        // levels; in the dark all colours are noise
-constexpr double least_chroma = 0.12;      // of luma; a duller colour may be a wall's
-constexpr double chroma_tolerance = 0.07;  // of luma
-constexpr double chroma_noise = 2.0;       // levels
-constexpr double brighter = 1.42;          // × or ÷: vignetting, mottle and shadows
+constexpr double least_luma = 12.0;    // levels; in the dark all colours are noise
+constexpr double least_chroma = 0.12;  // of luma; a duller colour may be a wall's
 
 struct Sample {
     Rgb rgb;
@@ -44,19 +42,10 @@ std::vector<Sample> lower_half(YuyvView image) {
     return samples;
 }
 
-/// Whether a pixel is of that colour, but for its brightness.
-bool like(const LumaChroma& pixel, const LumaChroma& colour) {
-    if (pixel.y < 1.0 || pixel.y > brighter * colour.y || brighter * pixel.y < colour.y) return false;
-    const double scale = pixel.y / colour.y;
-    const double cb = pixel.cb - scale * colour.cb, cr = pixel.cr - scale * colour.cr;
-    const double allowed = chroma_tolerance * pixel.y + chroma_noise;
-    return cb * cb + cr * cr <= allowed * allowed;
-}
-
 FieldLook look_of(const std::vector<Sample>& samples, const LumaChroma& colour) {
     std::array<LevelCounts, 3> rgb;
     for (const Sample& sample : samples) {
-        if (!like(sample.colour, colour)) continue;
+        if (!same_surface(sample.colour, colour)) continue;
         rgb[0].add(sample.rgb.red);
         rgb[1].add(sample.rgb.green);
         rgb[2].add(sample.rgb.blue);
@@ -79,7 +68,7 @@ std::optional<FieldLook> search_field(YuyvView image, const Eigen::Vector3d& ref
                  shown(brightness * std::exp(blue_to_red * warmth) * reference.z())});
             if (colour.y < least_luma || std::hypot(colour.cb, colour.cr) < least_chroma * colour.y) continue;
             const auto count = std::count_if(samples.begin(), samples.end(),
-                                             [&](const Sample& s) { return like(s.colour, colour); });
+                                             [&](const Sample& s) { return same_surface(s.colour, colour); });
             if (count <= most) continue;
             most = count;
             best = colour;

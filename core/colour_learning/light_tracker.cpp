@@ -1,12 +1,14 @@
 #include "core/colour_learning/light_tracker.h"
 
 #include "core/colour_learning/level_counts.h"
+#include "core/colour_learning/same_surface.h"
 #include "core/imaging/rgb.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace goalmouth {
 
@@ -18,14 +20,48 @@ constexpr double least_level = 8.0;   // a darker channel's ratio is noise
 constexpr double saturated = 250.0;   // a channel that clips says no more than that
 constexpr double least_seen = 2.0;  // level: by how much one has fallen that is as good as black nobody knows
 constexpr double longest_gap = 1.0;  // s: looks that are farther apart need not be of one light
+constexpr int rounds = 3;            // of looking anew around what was found
+
+struct RgbCounts {
+    std::array<LevelCounts, 3> channels;
+    void add(const Rgb& levels) {
+        channels[0].add(levels.red);
+        channels[1].add(levels.green);
+        channels[2].add(levels.blue);
+    }
+    Eigen::Vector3d median() const {
+        return {channels[0].median(), channels[1].median(), channels[2].median()};
+    }
+};
+
+/// The median of what may be the surface of colour `start`, and again around that: robots and walls below the
+/// border, which the table calls nothing, do not pull at it, and a table that is somewhat wrong by now does
+/// not hold it.
+Eigen::Vector3d settled(const std::vector<Rgb>& levels, const Eigen::Vector3d& start) {
+    Eigen::Vector3d colour = start;
+    for (int round = 0; round < rounds; ++round) {
+        const LumaChroma around = luma_chroma_of({colour.x(), colour.y(), colour.z()});
+        RgbCounts like;
+        bool any = false;
+        for (const Rgb& rgb : levels) {
+            if (!same_surface(luma_chroma_of(rgb), around)) continue;
+            like.add(rgb);
+            any = true;
+        }
+        if (!any) break;
+        colour = like.median();
+    }
+    return colour;
+}
 
 }  // namespace
 
 std::optional<FieldLook> look_at_field(YuyvView image, const FieldBorder& border, const ColourTable& table,
                                        const LightTrackerParameters& parameters) {
     if (border.empty()) return std::nullopt;
-    std::array<LevelCounts, 3> rgb;
-    int all = 0, below = 0, field = 0, taken = 0;
+    RgbCounts of_field;
+    std::vector<Rgb> taken;
+    int all = 0, below = 0, field = 0;
     for (int x = step / 2; x < image.width; x += step) {
         const double from = border.y_at(x) + below_border;
         for (int y = step / 2; y < image.height; y += step) {
@@ -34,18 +70,16 @@ std::optional<FieldLook> look_at_field(YuyvView image, const FieldBorder& border
             ++below;
             const Ycbcr p = image.at(x, y);
             const Colour colour = table.at(p);
-            field += colour == Colour::field;
             if (colour != Colour::field && colour != Colour::unclassified) continue;
-            ++taken;
-            const Rgb levels = rgb_of(p);
-            rgb[0].add(levels.red);
-            rgb[1].add(levels.green);
-            rgb[2].add(levels.blue);
+            taken.push_back(rgb_of(p));
+            if (colour != Colour::field) continue;
+            ++field;
+            of_field.add(taken.back());
         }
     }
-    if (taken == 0 || below < parameters.least_area * all || field < parameters.least_field * below)
+    if (field == 0 || below < parameters.least_area * all || field < parameters.least_field * below)
         return std::nullopt;
-    return FieldLook{{rgb[0].median(), rgb[1].median(), rgb[2].median()}};
+    return FieldLook{settled(taken, of_field.median())};
 }
 
 bool LightTracker::follow(const FieldLook& look, std::int64_t utime) {

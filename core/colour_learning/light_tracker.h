@@ -46,9 +46,9 @@ struct FieldLook {
     Eigen::Vector3d rgb = Eigen::Vector3d::Zero();  // levels, medians; exact to a level
 };
 
-/// The field below its border, where it is sure to be field: medians over what `table` does not call line,
-/// ball or goal. Nothing where too little of the picture lies below the border, or too little of that has the
-/// field's colour.
+/// The field below its border, where it is sure to be field: medians over what may be the same surface as
+/// most of what `table` calls field, whether it calls it field or nothing. Nothing where too little of the
+/// picture lies below the border, or too little of that has the field's colour.
 std::optional<FieldLook> look_at_field(YuyvView image, const FieldBorder& border, const ColourTable& table,
                                        const LightTrackerParameters& parameters);
 

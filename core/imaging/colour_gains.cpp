@@ -2,6 +2,7 @@
 
 #include "core/imaging/clipped_colours.h"
 #include "core/imaging/rgb.h"
+#include "core/imaging/surface_density.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,19 @@ namespace goalmouth {
 namespace {
 
 constexpr double coarse_below = 0.7;  // gain: of a darker picture, a cell holds too many colours that were
+// Of the density of all colours alike: halls are dull, most other colours never occur, and a post that is
+// taken for one of them costs more than one of them taken for a post.
+constexpr double odd_weight = 0.1;
+constexpr double dull_chroma = 0.25;  // of luma
 constexpr int finest_adapted = 7;     // bits: of more, making the table takes longer than a frame
 
 std::uint8_t level(double value) {
     return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
+}
+
+Ycbcr ycbcr_of(const Eigen::Vector3d& rgb) {
+    const LumaChroma p = luma_chroma_of({rgb.x(), rgb.y(), rgb.z()});
+    return {level(p.y), level(p.cb + 128.0), level(p.cr + 128.0)};
 }
 
 LumaChroma undone(const Rgb& rgb, const ColourGains& gains) {
@@ -28,24 +38,64 @@ int adapted_bits(int bits, const ColourGains& gains) {
     return least < coarse_below ? std::max(bits, std::min(bits + 1, finest_adapted)) : bits;
 }
 
-/// The colours that clip only now. What they would be if they only just reached the end is the complement of
-/// the light's colour: white would be yellow in blue light.
-void add_clipped(ColourTable& table, const ColourTable& base, const ColourGains& gains) {
-    const ClippedColours clipped(base, gains);
+/// Whether walls have a colour like that.
+bool is_dull(const Eigen::Vector3d& levels) {
+    const LumaChroma p = luma_chroma_of({levels.x(), levels.y(), levels.z()});
+    return std::hypot(p.cb, p.cr) < dull_chroma * p.y;
+}
+
+/// Calls `visit` for each entry of the table and the levels in the middle of its cell.
+template <class Visit>
+void for_each_cell(ColourTable& table, const Visit& visit) {
     const int step = 1 << (8 - table.bits());
     const double centre = 0.5 * (step - 1);
     std::size_t entry = 0;
     for (int cb = 0; cb < 256; cb += step)
         for (int cr = 0; cr < 256; cr += step)
             for (int y = 0; y < 256; y += step, ++entry)
-                if (const auto colour =
-                        clipped.at(rgb_of(y + centre, cb + centre - 128.0, cr + centre - 128.0)))
-                    table.entries()[entry] = static_cast<std::uint8_t>(*colour);
+                visit(table.entries()[entry], rgb_of(y + centre, cb + centre - 128.0, cr + centre - 128.0));
+}
+
+/// The colours that clip only now. What they would be if they only just reached the end is the complement of
+/// the light's colour: white would be yellow in blue light.
+void add_clipped(ColourTable& table, const ColourTable& base, const ColourGains& gains) {
+    const ClippedColours clipped(base, gains);
+    for_each_cell(table, [&](std::uint8_t& entry, const Rgb& seen) {
+        if (const auto colour = clipped.at(seen)) entry = static_cast<std::uint8_t>(*colour);
+    });
+}
+
+/// Whether light has driven a channel to its end that would not reach it without the gains.
+bool driven_to_end(const Rgb& seen, const ColourGains& gains) {
+    const auto driven = [](double level, double gain) {
+        return level >= SurfaceDensity::clipped && 255.0 / gain < SurfaceDensity::clipped;
+    };
+    return driven(seen.red, gains.red) || driven(seen.green, gains.green) || driven(seen.blue, gains.blue);
+}
+
+/// The field and the posts told from each other and from other things by what they are known to look like.
+void decide_known(ColourTable& table, const ColourGains& gains, const KnownColours& known) {
+    const SurfaceDensity field = SurfaceDensity::of_colour(*known.field, gains);
+    const SurfaceDensity goal = SurfaceDensity::of_colour(*known.goal, gains);
+    const SurfaceDensity grey = SurfaceDensity::of_greys(gains);
+    const SurfaceDensity anything = SurfaceDensity::of_anything(gains);
+    for_each_cell(table, [&](std::uint8_t& entry, const Rgb& seen) {
+        const auto was = static_cast<Colour>(entry);
+        const bool either = was == Colour::field || was == Colour::goal;
+        const bool clips = driven_to_end(seen, gains);
+        if (!either && !clips) return;
+        const double of_field = field.at(seen), of_goal = goal.at(seen);
+        const double of_others = std::max(grey.at(seen), odd_weight * anything.at(seen));
+        if (std::max(of_field, of_goal) > of_others)
+            entry = static_cast<std::uint8_t>(of_goal > of_field ? Colour::goal : Colour::field);
+        else if (was == Colour::goal || (was == Colour::field && clips))
+            entry = static_cast<std::uint8_t>(Colour::unclassified);
+    });
 }
 
 }  // namespace
 
-ColourTable adapted(const ColourTable& base, const ColourGains& gains) {
+ColourTable adapted(const ColourTable& base, const ColourGains& gains, const KnownColours& known) {
     if (gains == ColourGains{}) return base;
     ColourTable table(adapted_bits(base.bits(), gains), base.name());
     for (const std::string& line : base.provenance()) table.add_provenance(line);
@@ -66,7 +116,28 @@ ColourTable adapted(const ColourTable& base, const ColourGains& gains) {
         }
     }
     if (std::max({gains.red, gains.green, gains.blue}) > 1.0) add_clipped(table, base, gains);
+    if (known.field && known.goal && !is_dull(*known.goal)) decide_known(table, gains, known);
     return table;
+}
+
+double goals_kept(const ColourTable& base, const ColourTable& table, const ColourGains& gains,
+                  const KnownColours& known) {
+    int goal = 0, kept = 0;
+    const auto ask = [&](const Eigen::Vector3d& rgb) {
+        if (base.at(ycbcr_of(rgb)) != Colour::goal) return;
+        ++goal;
+        const Eigen::Vector3d seen = rgb.cwiseProduct(Eigen::Vector3d(gains.red, gains.green, gains.blue));
+        kept += table.at(ycbcr_of(seen.cwiseMin(255.0))) == Colour::goal;
+    };
+    if (known.goal) {
+        for (double brightness = 0.6; brightness <= 1.6; brightness *= 1.05) ask(brightness * *known.goal);
+    } else {
+        constexpr double step = 8.0;  // levels
+        for (double red = 0.5 * step; red < 256.0; red += step)
+            for (double green = 0.5 * step; green < 256.0; green += step)
+                for (double blue = 0.5 * step; blue < 256.0; blue += step) ask({red, green, blue});
+    }
+    return goal > 0 ? static_cast<double>(kept) / goal : 1.0;
 }
 
 }  // namespace goalmouth

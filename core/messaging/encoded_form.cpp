@@ -136,7 +136,7 @@ bool lengths_add_up(const candidates_t&, std::span<const std::uint8_t> encoded) 
 }
 
 bool lengths_add_up(const colour_gains_t&, std::span<const std::uint8_t> encoded) {
-    return Walk(encoded).skip(3 * i64 + 3 * f64).done();
+    return Walk(encoded).skip(3 * i64 + 9 * f64).done();
 }
 
 bool lengths_add_up(const post_t&, std::span<const std::uint8_t> encoded) {

@@ -227,6 +227,9 @@ Problem problem(const colour_gains_t& m) {
     if (m.from_utime - m.utime > longest_lead) return "gains that hold long after the frame they follow from";
     for (const double gain : {m.red, m.green, m.blue})
         if (!finite(gain) || gain < least_gain || gain > largest_gain) return "an impossible gain";
+    for (const auto& colour : {std::span(m.field), std::span(m.goal)})
+        for (const double level : colour)
+            if (!finite(level) || level < 0.0 || level > 255.0) return "a colour beyond 0…255";
     return {};
 }
 

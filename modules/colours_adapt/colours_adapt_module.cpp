@@ -3,12 +3,15 @@
 #include "core/colour_learning/field_search.h"
 #include "core/conversion/border.h"
 #include "core/conversion/colour_gains.h"
+#include "core/conversion/posts.h"
 #include "core/messaging/channels.h"
 #include "core/messaging/typed.h"
 #include "core/process/colour_table_parameter.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace goalmouth {
 namespace {
@@ -31,6 +34,7 @@ ModuleInfo ColoursAdaptModule::info() {
     return {"colours_adapt",
             "Follows changes of light by the field's look, for segmentation to adapt its colour table.",
             {{channels::border, "border_t", "field border of each frame"},
+             {channels::posts, "posts_t", "goalposts of each frame, for their colour", true},
              {channels::image, "image_t", "the frames, pixels in shared memory", true},
              {channels::image_tap, "image_t", "self-contained frames, for replay", true},
              {channels::image_slices, "image_slice_t", "self-contained frames in pieces, for replay", true}},
@@ -43,6 +47,7 @@ ColoursAdaptModule::ColoursAdaptModule(ModuleContext& context, const Parameters&
       base_(colour_table_parameter(parameters.colours, info().executable)),
       table_(base_),
       tracker_(parameters.light),
+      goal_(parameters.goal),
       frames_(frames_kept),
       images_(
           context.bus, context.channel(channels::image), context.channel(channels::image_tap),
@@ -50,6 +55,8 @@ ColoursAdaptModule::ColoursAdaptModule(ModuleContext& context, const Parameters&
           Delivery::every) {
     subscribe<border_t>(context.bus, context.channel(channels::border),
                         [this](const border_t& message) { take(message); });
+    subscribe<posts_t>(context.bus, context.channel(channels::posts),
+                       [this](const posts_t& message) { take(message); });
 }
 
 void ColoursAdaptModule::take(const border_t& message) {
@@ -57,9 +64,12 @@ void ColoursAdaptModule::take(const border_t& message) {
     constexpr std::int64_t backwards = 1'000'000;  // µs: a replay began again
     if (latest_ && message.utime < *latest_ - backwards) {
         tracker_ = LightTracker(parameters_.light);
+        goal_ = GoalColour(parameters_.goal);
         table_ = base_;
         said_ = {};
+        said_known_ = {};
         said_at_.reset();
+        tried_at_.reset();
         searched_at_.reset();
     }
     latest_ = message.utime;
@@ -86,6 +96,18 @@ void ColoursAdaptModule::take(const border_t& message) {
     context_.status.set("disbelieved", tracker_.disbelieved());
 }
 
+void ColoursAdaptModule::take(const posts_t& message) {
+    if (parameters_.frozen || !tracker_.has_reference() || goal_.complete() || message.posts.empty()) return;
+    const Frame* frame = frames_.find(message.utime, message.seq, message.intrinsics);
+    if (frame == nullptr) return;
+    const std::vector<Eigen::Vector3d> seen = post_colours(frame->pixels, from_message(message), table_);
+    if (!frame->still_valid()) {
+        context_.status.dropped(1);
+        return;
+    }
+    for (const Eigen::Vector3d& colour : seen) goal_.see(colour, tracker_.gains());
+}
+
 void ColoursAdaptModule::search(const Frame& frame, const border_t& message) {
     if (!tracker_.has_reference()) return;
     if (searched_at_ && message.utime - *searched_at_ < search_interval) return;
@@ -98,19 +120,31 @@ void ColoursAdaptModule::search(const Frame& frame, const border_t& message) {
     if (found) tracker_.suspect(*found, message.utime);
 }
 
-/// Also what could not be said before for want of `interval`.
+/// Also what could not be said before for want of `interval`. What leaves nothing of the posts' colours is
+/// not said: the last table that told them from the field finds some of them yet.
 void ColoursAdaptModule::say(const border_t& message) {
     if (largest_change(tracker_.gains(), said_) < parameters_.least_change) return;
-    if (said_at_ && message.utime - *said_at_ < microseconds(parameters_.interval)) return;
+    const auto since = [&](std::int64_t then) { return message.utime - then; };
+    if (said_at_ && since(*said_at_) < microseconds(parameters_.interval)) return;
+    if (tried_at_ && since(*tried_at_) < microseconds(parameters_.interval)) return;
+    tried_at_ = message.utime;
+    const KnownColours known{tracker_.reference(), goal_.levels()};
+    ColourTable table = adapted(base_, tracker_.gains(), known);
+    if (goals_kept(base_, table, tracker_.gains(), known) < parameters_.least_kept) {
+        context_.status.count("posts_not_told", 1);
+        return;
+    }
     said_ = tracker_.gains();
-    table_ = adapted(base_, said_);
+    said_known_ = known;
+    table_ = std::move(table);
     publish_gains(message);
 }
 
 void ColoursAdaptModule::publish_gains(const border_t& message) {
     said_at_ = message.utime;
     publish(context_.bus, context_.channel(channels::colour_gains),
-            to_message(said_, message.utime, message.seq, message.utime + microseconds(parameters_.lead)));
+            to_message(said_, said_known_, message.utime, message.seq,
+                       message.utime + microseconds(parameters_.lead)));
     context_.status.output(message.utime);
 }
 

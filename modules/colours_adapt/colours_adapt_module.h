@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/colour_learning/goal_colour.h"
 #include "core/colour_learning/light_tracker.h"
 #include "core/imaging/colour_gains.h"
 #include "core/imaging/colour_table.h"
@@ -12,6 +13,7 @@
 #include <string>
 
 #include <goalmouth/border_t.hpp>
+#include <goalmouth/posts_t.hpp>
 
 namespace goalmouth {
 
@@ -26,13 +28,16 @@ class ColoursAdaptModule : public Module {
         double lead = 0.3;
         double least_change = 0.02;
         double repeat = 2.0;
+        double least_kept = 0.25;
         LightTrackerParameters light;
+        GoalColourParameters goal;
     };
     static ModuleInfo info();
     ColoursAdaptModule(ModuleContext& context, const Parameters& parameters);
 
   private:
     void take(const border_t& message);
+    void take(const posts_t& message);
     void search(const Frame& frame, const border_t& message);
     void say(const border_t& message);
     void publish_gains(const border_t& message);
@@ -40,10 +45,13 @@ class ColoursAdaptModule : public Module {
     ModuleContext& context_;
     Parameters parameters_;
     ColourTable base_;
-    ColourTable table_;  // base_ under said_
+    ColourTable table_;  // base_ under said_ and said_known_
     LightTracker tracker_;
+    GoalColour goal_;
     ColourGains said_;
+    KnownColours said_known_;
     std::optional<std::int64_t> said_at_;      // µs
+    std::optional<std::int64_t> tried_at_;     // µs: to adapt, said or not
     std::optional<std::int64_t> searched_at_;  // µs
     std::optional<std::int64_t> latest_;       // µs
     KeptFrames frames_;
@@ -63,7 +71,10 @@ void describe_parameters(Visitor& v, ColoursAdaptModule::Parameters& p) {
       "gains are said once one differs by that share from what was said");
     v("repeat", p.repeat, Range{0.1, 3600}, "s",
       "gains are said again after so long, for a segmentation that missed them or was started since");
+    v("least_kept", p.least_kept, Range{0, 1}, "1",
+      "gains are not said that leave less of the posts' colours: what held before is better");
     v.group("light", p.light, "how the field's look is followed");
+    v.group("goal", p.goal, "how the posts' colour becomes known");
 }
 
 }  // namespace goalmouth

@@ -47,18 +47,18 @@ SegmentationModule::SegmentationModule(ModuleContext& context, const Parameters&
     subscribe<colour_gains_t>(
         context.bus, context.channel(channels::colour_gains), [this](const colour_gains_t& message) {
             // Time ran back: a replay began again.
-            if (!gains_.empty() && message.from_utime < gains_.rbegin()->first - backwards) gains_.clear();
-            gains_[message.from_utime] = from_message(message);
-            if (gains_.size() > gains_kept) gains_.erase(gains_.begin());
+            if (!lights_.empty() && message.from_utime < lights_.rbegin()->first - backwards) lights_.clear();
+            lights_[message.from_utime] = {from_message(message), known_colours(message)};
+            if (lights_.size() > gains_kept) lights_.erase(lights_.begin());
         });
 }
 
 void SegmentationModule::adapt_to(std::int64_t utime) {
-    const auto after = gains_.upper_bound(utime);
-    const ColourGains gains = after == gains_.begin() ? ColourGains{} : std::prev(after)->second;
-    if (gains == applied_) return;
-    segmenter_.emplace(adapted(table_, gains));
-    applied_ = gains;
+    const auto after = lights_.upper_bound(utime);
+    const Light light = after == lights_.begin() ? Light{} : std::prev(after)->second;
+    if (light == applied_) return;
+    segmenter_.emplace(adapted(table_, light.gains, light.known));
+    applied_ = light;
 }
 
 void SegmentationModule::segment(const Frame& frame) {

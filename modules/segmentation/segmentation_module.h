@@ -32,8 +32,13 @@ class SegmentationModule : public Module {
 
     ModuleContext& context_;
     ColourTable table_;
-    std::map<std::int64_t, ColourGains> gains_;  // by the time from which they hold, the latest few
-    ColourGains applied_;
+    struct Light {
+        ColourGains gains;
+        KnownColours known;
+        bool operator==(const Light&) const = default;
+    };
+    std::map<std::int64_t, Light> lights_;  // by the time from which they hold, the latest few
+    Light applied_;
     std::optional<Segmenter> segmenter_;  // with table_ under applied_
     LatestScanLayout layout_;
     LatestPoses poses_;  // T_BC

@@ -114,6 +114,12 @@ inline colour_gains_t example_gains() {
     m.red = 1.1;
     m.green = 0.9;
     m.blue = 0.6;
+    m.field[0] = 52.0;
+    m.field[1] = 122.0;
+    m.field[2] = 62.0;
+    m.goal[0] = 226.0;
+    m.goal[1] = 184.0;
+    m.goal[2] = 34.0;
     return m;
 }
 

@@ -91,6 +91,34 @@ TEST(LightTracker, LooksOfASlowCameraAddUpToAJump) {
     EXPECT_TRUE(tracker.suspect({0.4 * carpet}, 1'500'000));
 }
 
+TEST(LookAtField, IsNotPulledByWhatStandsOnTheField) {
+    cv::Mat bgr(240, 320, CV_8UC3, cv::Scalar(150, 158, 160));
+    bgr(cv::Rect(0, 100, 320, 140)).setTo(cv::Scalar(carpet.z(), carpet.y(), carpet.x()));
+    // As large as the field but for a little, in two colours.
+    bgr(cv::Rect(0, 110, 80, 130)).setTo(cv::Scalar(200, 200, 200));
+    bgr(cv::Rect(80, 110, 70, 130)).setTo(cv::Scalar(40, 40, 60));
+    cv::Mat noise(bgr.size(), CV_16SC3), noisy;
+    cv::theRNG().state = 5;
+    cv::randn(noise, cv::Scalar::all(0), cv::Scalar::all(4));
+    bgr.convertTo(noisy, CV_16SC3);
+    noisy += noise;
+    noisy.convertTo(bgr, CV_8UC3);
+    ColourTable table(6);
+    for (double brightness = 0.7; brightness <= 1.3; brightness += 0.01)
+        for (int r = -16; r <= 16; r += 4)
+            for (int g = -16; g <= 16; g += 4)
+                for (int b = -16; b <= 16; b += 4)
+                    table.set(ycbcr_from_bgr(
+                                  cv::Vec3b(cv::saturate_cast<std::uint8_t>(brightness * carpet.z() + b),
+                                            cv::saturate_cast<std::uint8_t>(brightness * carpet.y() + g),
+                                            cv::saturate_cast<std::uint8_t>(brightness * carpet.x() + r))),
+                              Colour::field);
+    const FieldBorder border{{{0.0, 100.0}, {319.0, 100.0}}, {}};
+    const auto look = look_at_field(yuyv_from_bgr(bgr).view(), border, table, {});
+    ASSERT_TRUE(look);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(look->rgb[c], carpet[c], 1.5) << c;
+}
+
 TEST(SearchField, FindsTheFieldInAnyLight) {
     for (const Eigen::Vector3d& light : {Eigen::Vector3d(0.3, 0.3, 0.3), Eigen::Vector3d(1.57, 1.0, 0.42),
                                          Eigen::Vector3d(0.64, 1.0, 2.0), Eigen::Vector3d(3.0, 3.0, 3.0)}) {

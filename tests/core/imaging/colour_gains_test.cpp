@@ -94,6 +94,50 @@ TEST(AdaptedTable, KnowsWhatClips) {
     EXPECT_EQ(warm.at(ycbcr_from_bgr(cv::Vec3b(20, 184, 255))), Colour::goal);
 }
 
+Colour class_in(const ColourTable& table, int r, int g, int b) {
+    return table.at(ycbcr_from_bgr(
+        cv::Vec3b(static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(g), static_cast<std::uint8_t>(r))));
+}
+
+const KnownColours seen_before{Eigen::Vector3d(52, 122, 62), Eigen::Vector3d(226, 184, 34)};
+
+TEST(AdaptedTable, TellsPostsFromTheFieldByBlueAloneWhereBothClip) {
+    // Candlelight, so bright that red and green of both come to lie at the end.
+    const ColourGains bright{5.5, 3.0, 1.3};
+    const ColourTable table = adapted(things(), bright, seen_before);
+    for (const int blue : {30, 36, 44, 50}) EXPECT_EQ(class_in(table, 255, 255, blue), Colour::goal) << blue;
+    for (const int blue : {72, 80, 90}) EXPECT_EQ(class_in(table, 255, 255, blue), Colour::field) << blue;
+    EXPECT_EQ(class_in(table, 255, 255, 200), Colour::unclassified) << "a wall";
+    EXPECT_GE(goals_kept(things(), table, bright, seen_before), 0.8);
+    EXPECT_LE(goals_kept(things(), ColourTable(6), bright, seen_before), 0.0);
+    EXPECT_LE(goals_kept(things(), ColourTable(6), bright, {}), 0.0);
+}
+
+TEST(AdaptedTable, KeepsPostsInAnyLight) {
+    for (const ColourGains& gains :
+         {ColourGains{0.3, 0.3, 0.3}, ColourGains{0.5, 0.3, 0.13}, ColourGains{0.2, 0.3, 0.6},
+          ColourGains{1.1, 1.0, 0.9}, ColourGains{3.0, 3.0, 3.0}, ColourGains{1.9, 3.0, 6.0}}) {
+        EXPECT_GE(goals_kept(things(), adapted(things(), gains, seen_before), gains, seen_before), 0.8)
+            << gains.red << " " << gains.blue;
+        const Eigen::Vector3d field =
+            seen_before.field->cwiseProduct(Eigen::Vector3d(gains.red, gains.green, gains.blue))
+                .cwiseMin(255.0);
+        EXPECT_EQ(class_in(adapted(things(), gains, seen_before), static_cast<int>(field.x()),
+                           static_cast<int>(field.y()), static_cast<int>(field.z())),
+                  Colour::field)
+            << gains.red << " " << gains.blue;
+    }
+    EXPECT_EQ(goals_kept(ColourTable(6), ColourTable(6), {2.0, 2.0, 2.0}, {}), 1.0) << "no goal to keep";
+}
+
+TEST(AdaptedTable, WhatIsKnownOfOneThingAloneOrOfDullPostsDecidesNothing) {
+    const ColourGains gains{3.0, 3.0, 3.0};
+    const ColourTable without = adapted(things(), gains);
+    EXPECT_TRUE(adapted(things(), gains, {seen_before.field, std::nullopt}) == without);
+    EXPECT_TRUE(adapted(things(), gains, {std::nullopt, seen_before.goal}) == without);
+    EXPECT_TRUE(adapted(things(), gains, {seen_before.field, Eigen::Vector3d(232, 233, 228)}) == without);
+}
+
 TEST(AdaptedTable, SaturatedColoursKeepTheirClassWhereLightHardlyChanges) {
     ColourTable base = things();
     for (int y = 0; y < 256; y += 4)

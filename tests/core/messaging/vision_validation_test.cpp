@@ -22,6 +22,9 @@ TEST(Validation, GainsAreFactors) {
                                                 [](M& m) { m.red = 0.0; },
                                                 [](M& m) { m.green = 21.0; },
                                                 [](M& m) { m.blue = std::nan(""); },
+                                                [](M& m) { m.field[0] = -1.0; },
+                                                [](M& m) { m.goal[2] = 256.0; },
+                                                [](M& m) { m.goal[1] = std::nan(""); },
                                             });
 }
 

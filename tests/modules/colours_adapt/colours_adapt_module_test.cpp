@@ -196,6 +196,31 @@ TEST_F(ColoursAdapt, TheGainsAreThoseOfTheLight) {
         EXPECT_GE(robot.said[i].utime - robot.said[i - 1].utime, 500'000);
 }
 
+TEST_F(ColoursAdapt, SaysWhatFieldAndPostsLookedLikeBefore) {
+    Robot robot(table(), true);
+    for (int round = 0; round < 3; ++round)
+        for (const cv::Mat& view : venue().bgr) robot.sees(lit(view, {}));
+    change(robot, {0.7, 0.6, 0.5});
+    ASSERT_FALSE(robot.said.empty());
+    const colour_gains_t& m = robot.said.back();
+    const cv::Rect post = venue().posts[0].front();
+    const cv::Scalar drawn = cv::mean(venue().bgr[0](
+        cv::Rect(post.x + post.width / 4, post.y + post.height / 4, post.width / 2, post.height / 2)));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(m.goal[c], drawn[2 - c], 0.2 * drawn[2 - c] + 8.0) << c;
+    EXPECT_GT(m.field[1], m.field[0]);
+    EXPECT_GT(m.field[1], m.field[2]);
+}
+
+TEST_F(ColoursAdapt, WhatLeavesNothingOfThePostsIsNotSaid) {
+    ColoursAdaptModule::Parameters parameters;
+    parameters.least_kept = 1.0;  // which no table adapted to another light reaches
+    parameters.goal.least_posts = 10000;
+    parameters.goal.posts = 10000;
+    Robot robot(table(), true, parameters);
+    change(robot, {0.6, 0.5, 0.4});
+    EXPECT_TRUE(robot.said.empty());
+}
+
 TEST_F(ColoursAdapt, TheSameFramesGiveTheSameMessages) {
     Robot one(table(), true), two(table(), true);
     change(one, {0.8, 0.7, 0.6});
