@@ -1,5 +1,7 @@
 #include "core/refinement/post_refiner.h"
 
+#include "core/imaging/chroma_shift.h"
+#include "core/refinement/chroma_evidence.h"
 #include "core/refinement/fit_quality.h"
 #include "core/refinement/post_extent.h"
 #include "core/refinement/refined_measurement.h"
@@ -125,6 +127,15 @@ PostRefiner::Start PostRefiner::start(YuyvView image, const Intrinsics& camera, 
     return found;
 }
 
+double PostRefiner::chroma_shift_of(YuyvView image, const Intrinsics& camera) const {
+    if (parameters_.chroma_shift != "auto") return 0.0;
+    ChromaEvidence evidence;
+    for (const Start& start : starts_)
+        if (start.problem.empty())
+            evidence += chroma_evidence(image, start.outline, start.colour, camera, start.edges);
+    return evidence.shift();
+}
+
 CameraResponse PostRefiner::response_of(YuyvView image, const Intrinsics& camera) const {
     if (parameters_.response != "auto")
         return parameters_.response == "srgb" ? CameraResponse::srgb : CameraResponse::linear;
@@ -239,6 +250,12 @@ const std::vector<RefinedPost>& PostRefiner::refine(YuyvView image, const std::v
     if (!image.empty())
         for (const Post& post : posts)
             starts_.push_back(start(image, camera, up, post, CameraResponse::linear));
+    if (const double shift = chroma_shift_of(image, camera); shift != 0.0) {
+        move_chroma_left(image, shift, moved_);
+        image = moved_.view();
+        for (std::size_t i = 0; i < starts_.size(); ++i)
+            starts_[i] = start(image, camera, up, posts[i], CameraResponse::linear);
+    }
     // Levels tell whether they are light.
     if (response_of(image, camera) == CameraResponse::srgb)
         for (std::size_t i = 0; i < starts_.size(); ++i)

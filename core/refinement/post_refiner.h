@@ -53,6 +53,7 @@ class PostRefiner {
 
     Start start(YuyvView image, const Intrinsics& camera, const Vertical& vertical, const Post& post,
                 CameraResponse response);
+    double chroma_shift_of(YuyvView image, const Intrinsics& camera) const;      // px, by starts_
     CameraResponse response_of(YuyvView image, const Intrinsics& camera) const;  // by starts_ in levels
     /// "" where it was refined, else why not.
     std::string measure(YuyvView image, const Intrinsics& camera, const Vertical& vertical,
@@ -65,6 +66,7 @@ class PostRefiner {
     CoarseEdgeFinder coarse_;
     SilhouetteFitter fitter_;
     std::vector<Start> starts_;
+    YuyvImage moved_;  // a picture of which the chroma lay beside the luma
     std::vector<RefinedPost> refined_;
     std::vector<GoalPairPost> measured_;    // of these, which have both edges
     std::vector<std::size_t> measured_of_;  // which

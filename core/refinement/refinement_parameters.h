@@ -14,6 +14,7 @@ struct RefinementParameters {
     double least_width = 2.5;
     double least_contrast = 3.0;
     std::string response = "auto";
+    std::string chroma_shift = "auto";
     double black_level = 0.0;
     double level_sigma = 0.26;
     double tilt_floor = 0.002;
@@ -46,6 +47,9 @@ void describe_parameters(Visitor& v, RefinementParameters& p) {
       "what the camera makes of light: levels in proportion to it, levels as screens expect them (most "
       "cameras), or "
       "as the colours between each picture's posts and background show beyond doubt, else linear");
+    v("chroma_shift", p.chroma_shift, Choice{"auto", "none"},
+      "chroma that lies beside the luma is moved onto it where each picture's posts show it beyond doubt, "
+      "or never");
     v("black_level", p.black_level, Range{0, 64}, "1",
       "luma of black: 0 in full range, 16 in limited range video; matters for posts too evenly lit to show "
       "it");

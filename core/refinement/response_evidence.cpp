@@ -1,6 +1,6 @@
 #include "core/refinement/response_evidence.h"
 
-#include "core/refinement/crossing_curve.h"
+#include "core/refinement/along_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,21 +142,11 @@ ResponseEvidence response_evidence(YuyvView image, const RoughOutline& outline, 
                                    const Intrinsics& camera, const CoarseEdgeFinder::Edges& edges) {
     Bow bow(colour);
     ResponseEvidence evidence;
-    CrossingCurve curve;
-    const int rows = outline.last_row - outline.first_row + 1;
-    const int lines = std::min(most_rows, rows);
-    for (std::size_t side = 0; side < 2; ++side) {
-        if (!edges[side]) continue;
-        const double guess = side == 0 ? outline.left(outline.first_row) : outline.right(outline.first_row);
-        curve.follow(camera, edges[side]->plane, guess, outline.first_row, outline.last_row);
-        for (int i = 0; i < lines; ++i) {
-            const int y = outline.first_row + static_cast<int>((2LL * i + 1) * rows / (2LL * lines));
-            const double edge = curve.at(y).x;
-            if (!(edge > 0.0 && edge < image.width)) continue;
-            bow.add(PairRow(image.row(y), image.width / 2, CameraResponse::linear), image.width / 2, edge,
-                    side == 0 ? -1.0 : 1.0, 0.5 * (outline.right(y) - outline.left(y)), evidence.side(side));
-        }
-    }
+    const int pairs = image.width / 2;
+    along_edges(outline, camera, edges, most_rows, [&](const EdgeRow& at) {
+        bow.add(PairRow(image.row(at.y), pairs, CameraResponse::linear), pairs, at.edge, at.outwards(),
+                at.inside, evidence.side(at.side));
+    });
     return evidence;
 }
 
