@@ -91,13 +91,13 @@ void UprightJudge::look(const UprightCandidates& candidates, const UprightView& 
     }
 }
 
-UprightJudge::Horizon UprightJudge::horizon_of(const UprightCandidates& candidates, const UprightEdges& edges,
-                                               double distance) const {
+UprightJudge::Horizon UprightJudge::horizon_of(const UprightCandidates& candidates, const UprightView& view,
+                                               const UprightEdges& edges, double distance) const {
     Horizon horizon;
     if (candidates.border.empty()) return horizon;
     horizon.border = chain_y_at(candidates.border, edges.middle(0.0));
     constexpr double heights = 2.0, doubt = 0.1;  // green things behind the field raise its border
-    horizon.deepest_base = horizon.border - heights * size_.height / distance - doubt;
+    if (!view.height()) horizon.deepest_base = horizon.border - heights * size_.height / distance - doubt;
     return horizon;
 }
 
@@ -136,7 +136,7 @@ UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const U
     const double distance = size_.radius / std::sin(edges.half_angle());
     const double near = std::max(0.5 * distance, distance - size_.radius);
     const double height = view.height().value_or(0.5 * size_.height);
-    const Horizon horizon = horizon_of(candidates, edges, near);
+    const Horizon horizon = horizon_of(candidates, view, edges, near);
     // Two rows of doubt, for the line along the border.
     const std::size_t border = std::max<std::size_t>(row_below(horizon.border), 2) - 2;
     const double rise = size_.height - height;

@@ -52,8 +52,9 @@ struct UprightEvidence {
 ///   −1.5  below its base and above the field's border: a post does not hang over what lies behind the field.
 /// The picture's border is no edge, and no missing one.
 ///
-/// Nor does a base lie deeper below the field's border than it could: the border is below the horizon and the
-/// camera no higher than goals are, so by H / (D − r) at most; twice that and 0.1 pass.
+/// Where nobody knows the camera's height, a base does not lie deeper below the field's border than it could:
+/// the border is below the horizon and the camera no higher than goals are, so by H / (D − r) at most; twice
+/// that and 0.1 pass. (Where the height is known it says more than a border, which green walls raise.)
 class UprightJudge {
   public:
     explicit UprightJudge(const UprightSize& size) : size_(size) {}
@@ -72,7 +73,8 @@ class UprightJudge {
         double border = std::numeric_limits<double>::infinity();
         double deepest_base = -std::numeric_limits<double>::infinity();
     };
-    Horizon horizon_of(const UprightCandidates& candidates, const UprightEdges& edges, double distance) const;
+    Horizon horizon_of(const UprightCandidates& candidates, const UprightView& view,
+                       const UprightEdges& edges, double distance) const;
     void look(const UprightCandidates& candidates, const UprightView& view, const UprightEdges& edges,
               double tolerance);
 

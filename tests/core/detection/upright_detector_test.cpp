@@ -258,6 +258,15 @@ TEST(UprightDetector, AStickBeforeTheFeetIsNoPostFarAway) {
     EXPECT_TRUE(detect(c, robot, std::nullopt).empty());
 }
 
+TEST(UprightDetector, AGreenWallHidesNoPostFromAKnownPose) {
+    const Robot robot;
+    Candidates c = empty_frame(robot.camera);
+    add(c, robot, post_at(6.0, 0.0));
+    for (int y = 2; y < c.height; y += spacing) c.field.push_back({y, 0, c.width / 2 - 40});
+    EXPECT_TRUE(detect(c, robot, std::nullopt).empty()) << "the scene shows what the field's border would say";
+    EXPECT_EQ(detect(c, robot, robot.told()).size(), 1U);
+}
+
 TEST(UprightDetector, NeedsNoPose) {
     for (const double roll : {0.0, 15.0, -15.0}) {
         Robot robot;
