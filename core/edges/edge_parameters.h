@@ -9,6 +9,7 @@ struct EdgeParameters {
     double chroma_weight = 2.0;
     double noise_factor = 4.0;
     double least_strength = 4.0;
+    double most_noise = 3.0;
 };
 
 template <class Visitor>
@@ -20,6 +21,8 @@ void describe_parameters(Visitor& v, EdgeParameters& p) {
     v("noise_factor", p.noise_factor, at_least(0), "1",
       "an edge is stronger than this many times the frame's median step (noise and the grass's texture)");
     v("least_strength", p.least_strength, above(0), "grey levels", "and no weaker than this");
+    v("most_noise", p.most_noise, at_least(0), "grey levels",
+      "a picture whose median step is larger is blurred along its columns first, once or twice");
 }
 
 struct FieldPriorParameters {

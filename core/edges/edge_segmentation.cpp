@@ -3,6 +3,7 @@
 #include "core/edges/frame_scale.h"
 #include "core/edges/post_rules.h"
 #include "core/edges/strip_growth.h"
+#include "core/imaging/vertical_blur.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,14 +77,20 @@ const Segments& EdgeSegmenter::segment(YuyvView image, const ScanLayout& layout,
     for (const int x : layout.columns)
         if (x >= 0 && x < image.width) columns_.push_back(x);
 
-    survey(image);
+    double noise = survey(image);
+    for (YuyvImage& blurred : blurred_) {
+        if (noise <= parameters_.edges.most_noise) break;
+        blur_vertically(image, blurred);
+        image = blurred.view();
+        noise = survey(image);
+    }
     find_edges(image);
     if (field_ && !ground_.empty()) find_posts(image, view);
     writer_.write(image, {frame_.rows, columns_, ground_, field_, runs_}, segments_);
     return segments_;
 }
 
-void EdgeSegmenter::survey(YuyvView image) {
+double EdgeSegmenter::survey(YuyvView image) {
     const EdgeParameters& edges = parameters_.edges;
     threshold_.window = window_pairs(edges, image.width);
     threshold_.chroma_weight = static_cast<float>(edges.chroma_weight);
@@ -108,6 +115,7 @@ void EdgeSegmenter::survey(YuyvView image) {
     }
     threshold_.strength = static_cast<float>(std::max(edges.least_strength, edges.noise_factor * noise));
     field_ = field_finder_.find(samples_, static_cast<float>(parameters_.field.least_share));
+    return noise;
 }
 
 void EdgeSegmenter::find_edges(YuyvView image) {

@@ -16,6 +16,7 @@
 #include "core/segmentation/scan_lines.h"
 #include "core/segmentation/segments.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,7 +33,8 @@ struct JudgedStrip {
 /// come from gradients.
 ///
 ///   1. Survey. A few rows give the frame's noise, and with it what counts as an edge, and the field's
-///      colour: a weak prior, learnt from this frame alone (field_colour.h).
+///      colour: a weak prior, learnt from this frame alone (field_colour.h). A noisy frame is blurred along
+///      its columns before anything else looks at it: posts are upright.
 ///   2. Edges. On each horizontal scan-line, where luma and colour differences change (row_edges.h); on the
 ///      crossings with vertical ones, where the field is (ground.h).
 ///   3. Strips. Edges followed from row to row (edge_chains.h), paired by opposite polarity and one surface
@@ -58,7 +60,7 @@ class EdgeSegmenter {
     const std::vector<JudgedStrip>& strips() const { return strips_; }
 
   private:
-    void survey(YuyvView image);
+    double survey(YuyvView image);  // the frame's median step, grey levels
     void find_edges(YuyvView image);
     void find_posts(YuyvView image, const CameraOverGround* view);
 
@@ -70,6 +72,7 @@ class EdgeSegmenter {
     ChromaRow row_;
     RowStretch stretch_;
     std::vector<float> sampled_steps_;
+    std::array<YuyvImage, 2> blurred_;  // a noisy picture, once and twice
     std::vector<FieldSample> samples_;
     std::vector<int> columns_;  // px
 

@@ -29,35 +29,59 @@ bool may_be_field(float u, float v) {
 
 std::optional<FieldColour> FieldColourFinder::find(const std::vector<FieldSample>& samples,
                                                    float least_share) {
-    histogram_.assign(bins * bins, 0.F);
+    fields_.assign(bins * bins, 0.F);
+    all_.assign(bins * bins, 0.F);
     float total = 0.F;
     greenish_.clear();
     for (const FieldSample& s : samples) {
         const Chromaticity c = chromaticity(s.appearance);
+        const auto bin = static_cast<std::size_t>(bin_of(c.v) * bins + bin_of(c.u));
         total += s.down;
+        all_[bin] += s.down;
         if (c.v > least_green) continue;
         greenish_.push_back({c, s.down});
-        if (!may_be_field(c.u, c.v)) continue;
-        histogram_[static_cast<std::size_t>(bin_of(c.v) * bins + bin_of(c.u))] += s.down;
+        if (may_be_field(c.u, c.v)) fields_[bin] += s.down;
     }
+    const auto about = [](const std::vector<float>& histogram, int i, int j) {
+        float sum = 0.F;
+        for (int dj = -1; dj <= 1; ++dj)
+            for (int di = -1; di <= 1; ++di)
+                sum += histogram[static_cast<std::size_t>((j + dj) * bins + i + di)];
+        return sum;
+    };
     float most = 0.F;
-    float u = 0.F;
-    float v = 0.F;
+    int best_i = 1, best_j = 1;
     // Bins farther on are empty: v is less than 0.
     for (int j = 1; j <= bin_of(0.F) + 1; ++j) {
         for (int i = 1; i + 1 < bins; ++i) {
-            float sum = 0.F;
-            for (int dj = -1; dj <= 1; ++dj)
-                for (int di = -1; di <= 1; ++di)
-                    sum += histogram_[static_cast<std::size_t>((j + dj) * bins + i + di)];
-            if (sum > most) {
-                most = sum;
-                u = middle_of(i);
-                v = middle_of(j);
-            }
+            const float sum = about(fields_, i, j);
+            if (sum <= most) continue;
+            most = sum;
+            best_i = i;
+            best_j = j;
         }
     }
     if (most < least_share * total || most <= 0.F) return std::nullopt;
+    float u = middle_of(best_i);
+    float v = middle_of(best_j);
+
+    // What rises to a peak about grey is grey, as noise spreads it in the dark.
+    float height = about(all_, best_i, best_j);
+    for (bool climbing = true; climbing;) {
+        climbing = false;
+        const int i0 = best_i, j0 = best_j;
+        for (int j = std::max(1, j0 - 1); j <= std::min(bins - 2, j0 + 1); ++j) {
+            for (int i = std::max(1, i0 - 1); i <= std::min(bins - 2, i0 + 1); ++i) {
+                const float sum = about(all_, i, j);
+                if (sum <= height) continue;
+                height = sum;
+                best_i = i;
+                best_j = j;
+                climbing = true;
+            }
+        }
+    }
+    if (std::hypot(middle_of(best_i), middle_of(best_j)) < 0.5F * std::hypot(u, v)) return std::nullopt;
 
     // Mean and covariance of what lies about the middle, some times over.
     float suu = 0.05F * 0.05F;

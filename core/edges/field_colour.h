@@ -57,7 +57,7 @@ struct FieldSample {
 ///
 /// The largest bin of a histogram over (u, v), lower samples counting more, gives the cluster's middle; mean,
 /// covariance and range of luma follow from the samples about it. Nothing where the cluster holds fewer than
-/// `least_share` of the samples.
+/// `least_share` of the samples, or is the slope of a peak about grey.
 class FieldColourFinder {
   public:
     std::optional<FieldColour> find(const std::vector<FieldSample>& samples, float least_share);
@@ -67,8 +67,8 @@ class FieldColourFinder {
         Chromaticity chromaticity;
         float down;
     };
-    std::vector<Greenish> greenish_;  // samples that may belong to it
-    std::vector<float> histogram_;
+    std::vector<Greenish> greenish_;   // samples that may belong to it
+    std::vector<float> fields_, all_;  // histograms over (u, v): of these, and of every sample
     std::vector<float> lumas_;
 };
 

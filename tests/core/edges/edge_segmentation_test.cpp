@@ -183,6 +183,17 @@ TEST(EdgeSegmenter, SeesAWhitePostUnderAStrongYellowCast) {
     EXPECT_EQ(found.others, 0);
 }
 
+TEST(EdgeSegmenter, FindsAPostInANoisyPicture) {
+    EdgeScene scene;
+    scene.noise = 12.0;
+    const YuyvImage image = scene.draw();
+    const Found found = compare(segments_of(image), scene.stripes[0]);
+    EXPECT_GE(found.rows, rows_of(scene.stripes[0]) / 2);
+    EdgeSegmentationParameters as_it_is;
+    as_it_is.edges.most_noise = 255.0;
+    EXPECT_EQ(goal_runs(segments_of(image, as_it_is)), 0) << "the scene shows what noise does";
+}
+
 TEST(EdgeSegmenter, TakesNoLineOnTheFieldForAPost) {
     EdgeScene scene;  // one that runs away from the camera, from the picture's lower end to the border
     scene.stripes = {{.left = 300.0, .width = 24.0, .top = 186.0, .base = 480.0, .shade = white}};

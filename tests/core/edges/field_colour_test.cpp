@@ -65,6 +65,8 @@ TEST(FieldColour, IsNothingWhereNothingIsGreenOrTooLittle) {
     EXPECT_FALSE(FieldColourFinder().find(samples(grey, white, 0.6, 1.0), 0.1F));
     EXPECT_FALSE(FieldColourFinder().find(samples(grey, {100.0, 60.0, -30.0}, 0.6, 1.0), 0.1F)) << "blue";
     EXPECT_FALSE(FieldColourFinder().find(samples(grey, {0.0, 0.0, 0.0}, 1.0, 1.0, 0.0), 0.1F)) << "black";
+    EXPECT_FALSE(FieldColourFinder().find(samples(grey, {5.0, 0.0, 0.0}, 1.0, 1.0, 2.0), 0.1F))
+        << "noise in the dark is green, too";
     EXPECT_FALSE(FieldColourFinder().find(samples(grey, green, 0.02, 1.0), 0.1F));
     EXPECT_TRUE(FieldColourFinder().find(samples(grey, green, 0.1, 1.0), 0.1F));
 }
