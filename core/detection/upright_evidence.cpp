@@ -13,7 +13,7 @@ constexpr double both_edges = 2.0, one_edge = 1.0, no_edge = -0.3, hidden = -0.8
 // What it counts besides where all between the edges is field.
 constexpr double shows_field = -3.0;
 // And one beyond them.
-constexpr double goes_on_beside = -0.75, goes_on = -5.0, hangs = -1.5;
+constexpr double goes_on_beside = -0.75, goes_on = -5.0, hangs = -0.3;
 
 /// Slopes of the rows along an upright line: followed in a few of them, a parabola in between.
 template <class Rows>

@@ -49,7 +49,9 @@ struct UprightEvidence {
 ///     −3  besides, as far as the field shows between the edges: nothing hides the post there, there is none;
 /// and one above or below the ends, where there is no post,
 ///   −0.75 for one edge, −5 for both where a post's would be, beside its colour: it is longer than posts are,
-///   −1.5  below its base and above the field's border: a post does not hang over what lies behind the field.
+///   −0.3  below its base and above the field's border: a post does not hang over what lies behind the field.
+///         Little, for a colour table that lacks the field's far part shows the border too low, and every
+///         post hangs there.
 /// The picture's border is no edge, and no missing one.
 ///
 /// Where nobody knows the camera's height, a base does not lie deeper below the field's border than it could:

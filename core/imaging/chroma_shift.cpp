@@ -8,7 +8,7 @@
 namespace goalmouth {
 namespace {
 
-constexpr int unit = 256;  // of weights
+constexpr int shift_of_unit = 6, unit = 1 << shift_of_unit;  // of weights: sums of four bytes fit 16 bits
 
 /// Catmull–Rom's, of the pair before, both that a place lies between, and the one after; sum: unit.
 std::array<int, 4> cubic_weights(double share) {
@@ -33,31 +33,32 @@ void move_chroma_left(YuyvView image, double shift, YuyvImage& moved) {
     const std::array<int, 4> weights = cubic_weights(by - whole);
     // Pairs of which all that they are made of lies in the picture.
     const int first = std::clamp(1 - whole, 0, pairs), last = std::clamp(pairs - 2 - whole, first, pairs);
+    const auto short_weight = [&](std::size_t k) { return static_cast<std::int16_t>(weights[k]); };
+    const std::int16_t w0 = short_weight(0), w1 = short_weight(1), w2 = short_weight(2), w3 = short_weight(3);
+    const auto blend = [=](std::int16_t a, std::int16_t b, std::int16_t c, std::int16_t d) {
+        const auto sum = static_cast<std::int16_t>(w0 * a + w1 * b + w2 * c + w3 * d + unit / 2);
+        const auto mean = static_cast<std::int16_t>(sum >> shift_of_unit);
+        return static_cast<std::uint8_t>(std::clamp<std::int16_t>(mean, 0, 255));
+    };
     for (int y = 0; y < image.height; ++y) {
         const std::uint8_t* from = image.row(y);
         std::uint8_t* to = moved.data.data() + static_cast<std::ptrdiff_t>(y) * moved.stride();
-        const auto set = [&](int i, const std::array<const std::uint8_t*, 4>& p) {
-            const auto blend = [&](std::size_t part) {
-                int sum = unit / 2;
-                for (std::size_t k = 0; k < p.size(); ++k) sum += weights[k] * p[k][part];
-                return static_cast<std::uint8_t>(std::clamp(sum / unit, 0, 255));
-            };
-            to[4 * i] = from[4 * i];
-            to[4 * i + 1] = blend(1);
-            to[4 * i + 2] = from[4 * i + 2];
-            to[4 * i + 3] = blend(3);
+        const std::ptrdiff_t away = 4 * static_cast<std::ptrdiff_t>(whole);
+        // All bytes alike, and luma again after that: this the compiler makes vectors of.
+        for (std::ptrdiff_t i = 4 * first; i < 4 * last; ++i)
+            to[i] = blend(from[i + away - 4], from[i + away], from[i + away + 4], from[i + away + 8]);
+        for (std::ptrdiff_t i = 4 * first; i < 4 * last; i += 2) to[i] = from[i];
+        const auto set_at_border = [&](int pair) {
+            for (int part = 0; part < 4; ++part) {
+                const auto at = [&](int i) {
+                    return from[4 * std::clamp(pair + whole + i, 0, pairs - 1) + part];
+                };
+                to[4 * pair + part] =
+                    part % 2 == 0 ? from[4 * pair + part] : blend(at(-1), at(0), at(1), at(2));
+            }
         };
-        const auto at = [&](int i) { return from + 4 * std::clamp(i, 0, pairs - 1); };
-        const auto set_at_border = [&](int i) {
-            const int k = i + whole;
-            set(i, {at(k - 1), at(k), at(k + 1), at(k + 2)});
-        };
-        for (int i = 0; i < first; ++i) set_at_border(i);
-        for (int i = first; i < last; ++i) {
-            const std::uint8_t* p = from + 4 * (i + whole);
-            set(i, {p - 4, p, p + 4, p + 8});
-        }
-        for (int i = last; i < pairs; ++i) set_at_border(i);
+        for (int pair = 0; pair < first; ++pair) set_at_border(pair);
+        for (int pair = last; pair < pairs; ++pair) set_at_border(pair);
     }
 }
 
