@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace goalmouth {
 
@@ -24,6 +26,9 @@ double median(std::vector<double> values) {
 std::optional<Eigen::Vector3d> colour_of(YuyvView image, const Post& post, const ColourTable& table) {
     if (post.has(post_flag::left_edge_missing) || post.has(post_flag::right_edge_missing))
         return std::nullopt;
+    constexpr double farthest = 1e5;  // px: what lies farther off is in no picture
+    for (const Eigen::Vector2d* corner : {&post.left_top, &post.left_base, &post.right_top, &post.right_base})
+        if (!(corner->cwiseAbs().maxCoeff() <= farthest)) return std::nullopt;
     std::array<LevelCounts, 3> rgb;
     int looked_at = 0, goal = 0;
     const double top = std::max(post.left_top.y(), post.right_top.y());

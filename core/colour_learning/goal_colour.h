@@ -6,6 +6,7 @@
 #include "core/imaging/yuyv.h"
 #include "core/parameters/parameters.h"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -147,7 +148,11 @@ bool LightTracker::move(const FieldLook& look, double pull, double largest_step)
         step[c] = std::clamp(*gains[c] * step[c], parameters_.lowest, parameters_.highest) / *gains[c];
         if (std::abs(step[c] - 1.0) > largest_step) return false;
     }
-    for (std::size_t c = 0; c < 3; ++c) *gains[c] *= 1.0 + pull * (step[c] - 1.0);
+    for (std::size_t c = 0; c < 3; ++c) {
+        // Once more, for a bit lost in rounding would make a gain that nobody accepts.
+        const double moved = *gains[c] * (1.0 + pull * (step[c] - 1.0));
+        *gains[c] = std::clamp(moved, parameters_.lowest, parameters_.highest);
+    }
     return true;
 }
 

@@ -1,5 +1,7 @@
 #include "core/conversion/colour_gains.h"
 
+#include <optional>
+
 namespace goalmouth {
 
 namespace {

@@ -45,7 +45,7 @@ struct JudgedStrip {
 /// others. The field is Colour::field to a sample's accuracy, where it begins in a column to a pixel's; all
 /// else is unclassified. Rows first, then columns, in the layout's order, which has to be ascending; lines
 /// outside the picture are left out. Pixels on scan-lines are looked at, and where a column meets the field's
-/// border a few between them.
+/// border a few between them; of a noisy frame, all.
 class EdgeSegmenter {
   public:
     explicit EdgeSegmenter(const EdgeSegmentationParameters& parameters);

@@ -3,6 +3,7 @@
 #include "core/imaging/colour.h"
 #include "core/imaging/yuyv.h"
 
+#include <cstdint>
 #include <vector>
 
 #include <opencv2/core.hpp>

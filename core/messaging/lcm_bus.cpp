@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <fmt/format.h>
 #include <poll.h>
+#include <span>
 #include <stdexcept>
+#include <utility>
 
 #include <lcm/lcm-cpp.hpp>
 #include <spdlog/spdlog.h>

@@ -7,9 +7,12 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdint>
 #include <iostream>
+#include <string>
 #include <sys/prctl.h>
 #include <thread>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <goalmouth/status_t.hpp>

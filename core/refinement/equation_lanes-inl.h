@@ -9,6 +9,7 @@
 
 #include "core/refinement/equation_sums.h"
 
+#include <cstddef>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();

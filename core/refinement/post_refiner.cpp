@@ -9,8 +9,10 @@
 #include "core/refinement/run_ends.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <hwy/cache_control.h>
+#include <utility>
 
 namespace goalmouth {
 namespace {

@@ -13,6 +13,7 @@
 #include "core/refinement/refinement_parameters.h"
 #include "core/refinement/silhouette_fit.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>

@@ -7,16 +7,20 @@
 #include "core/messaging/channels.h"
 #include "core/messaging/typed.h"
 #include "core/process/colour_table_parameter.h"
+#include "core/process/configuration.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string>
 #include <utility>
-#include <vector>
 
 namespace goalmouth {
 namespace {
 
 constexpr std::size_t frames_kept = 10;
+constexpr std::size_t tables_kept = 4;
+constexpr std::size_t seen_kept = 256;
 constexpr std::int64_t search_interval = 250'000;  // µs: a search takes some milliseconds
 
 double largest_change(const ColourGains& a, const ColourGains& b) {
@@ -53,26 +57,35 @@ ColoursAdaptModule::ColoursAdaptModule(ModuleContext& context, const Parameters&
           context.bus, context.channel(channels::image), context.channel(channels::image_tap),
           context.channel(channels::image_slices), [this](const Frame& frame) { frames_.keep(frame); },
           Delivery::every) {
+    if (parameters.goal.least_posts > parameters.goal.posts)
+        throw ConfigurationError(context.name +
+                                 ": goal.least_posts: " + std::to_string(parameters.goal.least_posts) +
+                                 " is more than goal.posts, " + std::to_string(parameters.goal.posts));
     subscribe<border_t>(context.bus, context.channel(channels::border),
                         [this](const border_t& message) { take(message); });
     subscribe<posts_t>(context.bus, context.channel(channels::posts),
                        [this](const posts_t& message) { take(message); });
 }
 
+void ColoursAdaptModule::begin_anew() {
+    tracker_ = LightTracker(parameters_.light);
+    goal_ = GoalColour(parameters_.goal);
+    table_ = base_;
+    earlier_.clear();
+    seen_.clear();
+    said_ = {};
+    said_known_ = {};
+    said_at_.reset();
+    tried_at_.reset();
+    searched_at_.reset();
+}
+
 void ColoursAdaptModule::take(const border_t& message) {
     if (parameters_.frozen) return;
     constexpr std::int64_t backwards = 1'000'000;  // µs: a replay began again
-    if (latest_ && message.utime < *latest_ - backwards) {
-        tracker_ = LightTracker(parameters_.light);
-        goal_ = GoalColour(parameters_.goal);
-        table_ = base_;
-        said_ = {};
-        said_known_ = {};
-        said_at_.reset();
-        tried_at_.reset();
-        searched_at_.reset();
-    }
+    if (latest_ && message.utime < *latest_ - backwards) begin_anew();
     latest_ = message.utime;
+    learn_from_posts(message.utime);
     // Whoever began to listen only now, or missed it, hears what holds.
     if (said_at_ && message.utime - *said_at_ >= microseconds(parameters_.repeat)) publish_gains(message);
     const Frame* frame = frames_.find(message.utime, message.seq, message.intrinsics);
@@ -96,16 +109,32 @@ void ColoursAdaptModule::take(const border_t& message) {
     context_.status.set("disbelieved", tracker_.disbelieved());
 }
 
+const ColourTable& ColoursAdaptModule::table_of(std::int64_t utime) const {
+    const auto holds = std::find_if(earlier_.rbegin(), earlier_.rend(),
+                                    [&](const Said& said) { return said.from_utime <= utime; });
+    return holds == earlier_.rend() ? base_ : holds->table;
+}
+
+/// Posts of a frame may come before the next frame's border or after it: they are looked at with the table
+/// that their frame had, and learnt from once a border is so much later that they have come for certain.
 void ColoursAdaptModule::take(const posts_t& message) {
-    if (parameters_.frozen || !tracker_.has_reference() || goal_.complete() || message.posts.empty()) return;
+    if (parameters_.frozen || goal_.complete() || message.posts.empty()) return;
     const Frame* frame = frames_.find(message.utime, message.seq, message.intrinsics);
     if (frame == nullptr) return;
-    const std::vector<Eigen::Vector3d> seen = post_colours(frame->pixels, from_message(message), table_);
+    Seen seen{message.utime, post_colours(frame->pixels, from_message(message), table_of(message.utime))};
     if (!frame->still_valid()) {
         context_.status.dropped(1);
         return;
     }
-    for (const Eigen::Vector3d& colour : seen) goal_.see(colour, tracker_.gains());
+    if (seen.colours.empty()) return;
+    if (seen_.size() == seen_kept) seen_.pop_front();
+    seen_.push_back(std::move(seen));
+}
+
+void ColoursAdaptModule::learn_from_posts(std::int64_t utime) {
+    for (; !seen_.empty() && seen_.front().utime + microseconds(parameters_.lead) <= utime; seen_.pop_front())
+        if (tracker_.has_reference())
+            for (const Eigen::Vector3d& colour : seen_.front().colours) goal_.see(colour, tracker_.gains());
 }
 
 void ColoursAdaptModule::search(const Frame& frame, const border_t& message) {
@@ -123,7 +152,8 @@ void ColoursAdaptModule::search(const Frame& frame, const border_t& message) {
 /// Also what could not be said before for want of `interval`. What leaves nothing of the posts' colours is
 /// not said: the last table that told them from the field finds some of them yet.
 void ColoursAdaptModule::say(const border_t& message) {
-    if (largest_change(tracker_.gains(), said_) < parameters_.least_change) return;
+    const bool better_known = said_ != ColourGains{} && !said_known_.goal && goal_.levels();
+    if (largest_change(tracker_.gains(), said_) < parameters_.least_change && !better_known) return;
     const auto since = [&](std::int64_t then) { return message.utime - then; };
     if (said_at_ && since(*said_at_) < microseconds(parameters_.interval)) return;
     if (tried_at_ && since(*tried_at_) < microseconds(parameters_.interval)) return;
@@ -137,6 +167,8 @@ void ColoursAdaptModule::say(const border_t& message) {
     said_ = tracker_.gains();
     said_known_ = known;
     table_ = std::move(table);
+    earlier_.push_back({message.utime + microseconds(parameters_.lead), table_});
+    if (earlier_.size() > tables_kept) earlier_.pop_front();
     publish_gains(message);
 }
 

@@ -9,9 +9,12 @@
 #include "core/process/module.h"
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include <Eigen/Core>
 #include <goalmouth/border_t.hpp>
 #include <goalmouth/posts_t.hpp>
 
@@ -36,8 +39,22 @@ class ColoursAdaptModule : public Module {
     ColoursAdaptModule(ModuleContext& context, const Parameters& parameters);
 
   private:
+    /// What segmentation has from a time on.
+    struct Said {
+        std::int64_t from_utime = 0;
+        ColourTable table;
+    };
+    /// What posts looked like in a frame.
+    struct Seen {
+        std::int64_t utime = 0;
+        std::vector<Eigen::Vector3d> colours;
+    };
+
+    void begin_anew();
     void take(const border_t& message);
     void take(const posts_t& message);
+    const ColourTable& table_of(std::int64_t utime) const;
+    void learn_from_posts(std::int64_t utime);
     void search(const Frame& frame, const border_t& message);
     void say(const border_t& message);
     void publish_gains(const border_t& message);
@@ -50,6 +67,8 @@ class ColoursAdaptModule : public Module {
     GoalColour goal_;
     ColourGains said_;
     KnownColours said_known_;
+    std::deque<Said> earlier_;                 // the latest few, oldest first
+    std::deque<Seen> seen_;                    // not learnt from yet
     std::optional<std::int64_t> said_at_;      // µs
     std::optional<std::int64_t> tried_at_;     // µs: to adapt, said or not
     std::optional<std::int64_t> searched_at_;  // µs

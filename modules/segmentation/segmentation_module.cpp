@@ -8,6 +8,9 @@
 #include "core/messaging/typed.h"
 #include "core/process/colour_table_parameter.h"
 
+#include <cstddef>
+#include <iterator>
+
 namespace goalmouth {
 namespace {
 

@@ -2,6 +2,8 @@
 
 #include "core/imaging/conversion.h"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
@@ -46,8 +48,18 @@ TEST(PostColours, NeedBothEdgesAndThePostsColour) {
     for (Eigen::Vector2d* corner :
          {&outside.left_top, &outside.left_base, &outside.right_top, &outside.right_base})
         *corner += Eigen::Vector2d(400.0, -900.0);
-    EXPECT_TRUE(
-        post_colours(view.image.view(), std::vector{one_edge, elsewhere, outside}, view.table).empty());
+    std::vector<Post> none = {one_edge, elsewhere, outside};
+    for (const Eigen::Vector2d& far : {Eigen::Vector2d(0.0, 3e9), Eigen::Vector2d(0.0, -3e9),
+                                       Eigen::Vector2d(3e9, 0.0), Eigen::Vector2d(-3e9, 0.0)}) {
+        Post beyond = view.post;
+        for (Eigen::Vector2d* corner :
+             {&beyond.left_top, &beyond.left_base, &beyond.right_top, &beyond.right_base})
+            *corner += far;
+        none.push_back(beyond);
+        beyond.left_top = beyond.right_top = view.post.left_top;
+        none.push_back(beyond);
+    }
+    EXPECT_TRUE(post_colours(view.image.view(), none, view.table).empty());
     EXPECT_TRUE(post_colours(View({60, 80, 160}).image.view(), std::vector{view.post}, view.table).empty());
 }
 

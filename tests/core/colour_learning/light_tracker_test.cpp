@@ -3,6 +3,9 @@
 #include "core/colour_learning/field_search.h"
 #include "core/imaging/conversion.h"
 
+#include <algorithm>
+#include <cstdint>
+
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
@@ -81,6 +84,17 @@ TEST(LightTracker, ABlackChannelSaysNothingAboutOthers) {
     EXPECT_NEAR(tracker.gains().red, 250.0 / 52, 0.01);
     EXPECT_NEAR(tracker.gains().green, 1.5, 0.01);
     EXPECT_NEAR(tracker.gains().blue, LightTrackerParameters{}.lowest, 1e-9);
+}
+
+TEST(LightTracker, GainsStayWithinTheirBoundsToTheLastBit) {
+    for (double before = 0.5; before < 1.0; before += 0.05) {
+        LightTracker tracker = ready();
+        for (int i = 0; i < 50; ++i) tracker.follow({before * carpet}, 1'100'000 + 1'000'000 * i);
+        for (int i = 0; i < 50; ++i)
+            tracker.follow({{carpet.x(), carpet.y(), 0.0}}, 60'000'000 + 100'000 * i);
+        EXPECT_GE(tracker.gains().blue, LightTrackerParameters{}.lowest) << before;
+        EXPECT_LT(tracker.gains().blue, 0.06) << before;
+    }
 }
 
 TEST(LightTracker, LooksOfASlowCameraAddUpToAJump) {

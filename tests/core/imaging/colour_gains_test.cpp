@@ -2,6 +2,8 @@
 
 #include "core/imaging/conversion.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <random>
 
 #include <gtest/gtest.h>

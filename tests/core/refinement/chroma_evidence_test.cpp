@@ -3,6 +3,7 @@
 #include "core/refinement/post_refiner.h"
 #include "tests/core/refinement/drawn_post.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 

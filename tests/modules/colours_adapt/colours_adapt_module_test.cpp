@@ -10,6 +10,7 @@
 #include "core/messaging/image_output.h"
 #include "core/messaging/memory_bus.h"
 #include "core/messaging/typed.h"
+#include "core/process/configuration.h"
 #include "modules/detection_ransac/detection_ransac_module.h"
 #include "modules/extraction/extraction_module.h"
 #include "modules/segmentation/segmentation_module.h"
@@ -18,9 +19,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <deque>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <goalmouth/colour_gains_t.hpp>
@@ -72,14 +79,22 @@ test::Light between(const test::Light& b, double share) {
 /// Segmentation to detection on a bus in memory, with or without adaptation.
 class Robot {
   public:
-    Robot(const std::string& table, bool adapts, ColoursAdaptModule::Parameters parameters = {}) {
+    /// `late`: colours_adapt hears of posts only two frames later.
+    Robot(const std::string& table, bool adapts, ColoursAdaptModule::Parameters parameters = {},
+          bool late = false) {
         SegmentationModule::Parameters segmentation;
         segmentation.colours = table;
         segmentation_.emplace(context("segmentation"), segmentation);
         extraction_.emplace(context("extraction"), ExtractionModule::Parameters{});
         detection_.emplace(context("detection"), RansacDetectionModule::Parameters{});
         parameters.colours = table;
-        if (adapts) adapt_.emplace(context("adapt"), parameters);
+        ModuleContext& adapt = context("adapt");
+        if (late) {
+            adapt.channels[channels::posts] = "POSTS_LATE";
+            subscribe<posts_t>(hub_.endpoint("late"), channels::posts,
+                               [this](const posts_t& m) { on_their_way_.push_back(m); });
+        }
+        if (adapts) adapt_.emplace(adapt, parameters);
         subscribe<posts_t>(hub_.endpoint("listener"), channels::posts,
                            [this](const posts_t& m) { posts_ = from_message(m); });
         subscribe<colour_gains_t>(hub_.endpoint("listener"), channels::colour_gains,
@@ -95,6 +110,9 @@ class Robot {
         posts_.clear();
         publish(hub_.endpoint("camera"), channels::image, self_contained_yuyv(info, "c", image.view()));
         hub_.run_until_idle();
+        for (; on_their_way_.size() > 2; on_their_way_.pop_front())
+            publish(hub_.endpoint("late"), "POSTS_LATE", on_their_way_.front());
+        hub_.run_until_idle();
         return posts_;
     }
 
@@ -102,6 +120,11 @@ class Robot {
     void begin_again() { seq_ = 0; }
 
     std::vector<colour_gains_t> said;
+    /// What colours_adapt counted.
+    double counted(const std::string& what) const {
+        const auto found = statuses_.back()->counters().find(what);
+        return found == statuses_.back()->counters().end() ? 0.0 : found->second;
+    }
 
   private:
     ModuleContext& context(const std::string& name) {
@@ -118,6 +141,7 @@ class Robot {
     std::optional<RansacDetectionModule> detection_;
     std::optional<ColoursAdaptModule> adapt_;
     std::vector<Post> posts_;
+    std::deque<posts_t> on_their_way_;
     std::int64_t seq_ = 0;
 };
 
@@ -219,17 +243,41 @@ TEST_F(ColoursAdapt, WhatLeavesNothingOfThePostsIsNotSaid) {
     Robot robot(table(), true, parameters);
     change(robot, {0.6, 0.5, 0.4});
     EXPECT_TRUE(robot.said.empty());
+    EXPECT_GT(robot.counted("posts_not_told"), 0.0);
+}
+
+TEST_F(ColoursAdapt, SaysWhatPostsLookLikeOnceThatIsKnown) {
+    ColoursAdaptModule::Parameters parameters;
+    parameters.goal.least_posts = parameters.goal.posts = 260;  // known when the light no longer changes
+    Robot robot(table(), true, parameters);
+    change(robot, {0.8, 0.75, 0.7});
+    ASSERT_FALSE(robot.said.empty());
+    ASSERT_EQ(robot.said.back().goal[0], 0.0);
+    for (int round = 0; round < 40; ++round)
+        for (const cv::Mat& view : venue().bgr) robot.sees(lit(view, {0.8, 0.75, 0.7}));
+    EXPECT_GT(robot.said.back().goal[0], 0.0);
+}
+
+TEST_F(ColoursAdapt, SaysWhatCannotBe) {
+    ColoursAdaptModule::Parameters parameters;
+    parameters.goal.least_posts = 41;
+    EXPECT_THROW(Robot(table(), true, parameters), ConfigurationError);
 }
 
 TEST_F(ColoursAdapt, TheSameFramesGiveTheSameMessages) {
-    Robot one(table(), true), two(table(), true);
-    change(one, {0.8, 0.7, 0.6});
-    change(two, {0.8, 0.7, 0.6});
-    ASSERT_EQ(one.said.size(), two.said.size());
-    for (std::size_t i = 0; i < one.said.size(); ++i) {
-        EXPECT_EQ(one.said[i].utime, two.said[i].utime);
-        EXPECT_EQ(one.said[i].red, two.said[i].red);
-        EXPECT_EQ(one.said[i].blue, two.said[i].blue);
+    // However long posts are on their way.
+    Robot one(table(), true), two(table(), true), three(table(), true, {}, true);
+    for (Robot* robot : {&one, &two, &three}) change(*robot, {0.8, 0.7, 0.6});
+    const auto bytes = [](const colour_gains_t& m) {
+        std::vector<std::uint8_t> encoded(static_cast<std::size_t>(m.getEncodedSize()));
+        m.encode(encoded.data(), 0, static_cast<int>(encoded.size()));
+        return encoded;
+    };
+    ASSERT_GT(one.said.back().goal[0], 0.0);
+    for (const Robot* other : {&two, &three}) {
+        ASSERT_EQ(one.said.size(), other->said.size());
+        for (std::size_t i = 0; i < one.said.size(); ++i)
+            EXPECT_EQ(bytes(one.said[i]), bytes(other->said[i])) << i;
     }
 }
 

@@ -1,7 +1,10 @@
 #include "modules/segmentation/segmentation_module.h"
 
 #include "core/conversion/camera_pose.h"
+#include "core/conversion/colour_gains.h"
+#include "core/conversion/intrinsics.h"
 #include "core/conversion/segments.h"
+#include "core/imaging/colour_gains.h"
 #include "core/imaging/colour_table_file.h"
 #include "core/messaging/channels.h"
 #include "core/messaging/image_output.h"
@@ -12,7 +15,11 @@
 #include "tests/support/segmentation_bus.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
 namespace goalmouth {
@@ -88,6 +95,38 @@ TEST_F(SegmentationModuleTest, AdaptsItsTableFromTheTimeTheGainsHoldFor) {
     EXPECT_FALSE(has_goal(heard[1]));
     EXPECT_TRUE(has_goal(heard[2]));
     EXPECT_EQ(heard[0].start, heard[2].start);
+}
+
+TEST_F(SegmentationModuleTest, TellsFieldAndPostsApartByWhatTheyAreKnownToLookLike) {
+    const ColourTable table = load_colour_table(parameters.colours);
+    const ColourGains gains{2.5, 2.5, 2.5};
+    const KnownColours known{Eigen::Vector3d(40, 110, 45), Eigen::Vector3d(200, 180, 30)};
+    const ColourTable without = adapted(table, gains), with = adapted(table, gains, known);
+    std::optional<Ycbcr> told;  // a colour that they decide
+    for (int y = 0; y < 256 && !told; y += 4)
+        for (int cb = 0; cb < 256 && !told; cb += 4)
+            for (int cr = 0; cr < 256 && !told; cr += 4) {
+                const Ycbcr p{static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(cb),
+                              static_cast<std::uint8_t>(cr)};
+                if (without.at(p) != with.at(p)) told = p;
+            }
+    ASSERT_TRUE(told);
+    SegmentationModule module(context, parameters);
+    FrameInfo info;
+    info.utime = 2'000'000;
+    info.intrinsics = to_message(Intrinsics{});
+    publish(camera, channels::colour_gains, to_message(gains, known, info.utime, 1, info.utime));
+    YuyvImage image(info.intrinsics.width, info.intrinsics.height);
+    for (std::size_t i = 0; i < image.data.size(); i += 4) {
+        image.data[i] = image.data[i + 2] = told->y;
+        image.data[i + 1] = told->cb;
+        image.data[i + 3] = told->cr;
+    }
+    publish(camera, channels::image, self_contained_yuyv(info, "c", image.view()));
+    hub.run_until_idle();
+    ASSERT_EQ(heard.size(), 1U);
+    ASSERT_FALSE(heard[0].colour.empty());
+    for (const auto colour : heard[0].colour) EXPECT_EQ(colour, static_cast<std::int8_t>(with.at(*told)));
 }
 
 TEST_F(SegmentationModuleTest, SpacesLinesOnTheFieldOnceItKnowsTheCamera) {
