@@ -13,7 +13,6 @@ namespace goalmouth {
 
 namespace {
 
-constexpr double clipped = 248.0;   // level
 constexpr double least_goal = 0.5;  // of the pixels looked at
 constexpr int fewest_pixels = 20;
 
@@ -69,7 +68,7 @@ std::vector<Eigen::Vector3d> post_colours(YuyvView image, std::span<const Post> 
 }
 
 void GoalColour::see(const Eigen::Vector3d& rgb, const ColourGains& gains) {
-    if (complete() || rgb.maxCoeff() >= clipped) return;
+    if (complete() || rgb.maxCoeff() >= clipped_level) return;
     const Eigen::Vector3d factors(gains.red, gains.green, gains.blue);
     if (factors.maxCoeff() > parameters_.largest_change ||
         factors.minCoeff() < 1.0 / parameters_.largest_change)

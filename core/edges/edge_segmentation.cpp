@@ -86,6 +86,7 @@ const Segments& EdgeSegmenter::segment(YuyvView image, const ScanLayout& layout,
         image = blurred.view();
         noise = survey(image);
     }
+    field_ = field_finder_.find(samples_, static_cast<float>(parameters_.field.least_share));
     find_edges(image);
     if (field_ && !ground_.empty()) find_posts(image, view);
     writer_.write(image, {frame_.rows, columns_, ground_, field_, runs_}, segments_);
@@ -116,7 +117,6 @@ double EdgeSegmenter::survey(YuyvView image) {
         noise = std::sqrt(static_cast<double>(*median));
     }
     threshold_.strength = static_cast<float>(std::max(edges.least_strength, edges.noise_factor * noise));
-    field_ = field_finder_.find(samples_, static_cast<float>(parameters_.field.least_share));
     return noise;
 }
 

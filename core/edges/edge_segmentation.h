@@ -60,7 +60,7 @@ class EdgeSegmenter {
     const std::vector<JudgedStrip>& strips() const { return strips_; }
 
   private:
-    double survey(YuyvView image);  // the frame's median step, grey levels
+    double survey(YuyvView image);  // samples, threshold; the frame's median step [grey levels]
     void find_edges(YuyvView image);
     void find_posts(YuyvView image, const CameraOverGround* view);
 

@@ -9,32 +9,16 @@ namespace {
 
 constexpr int step = 4;               // levels between the colours of the base that are tried
 constexpr double usual_excess = 0.5;  // of the end, by which a clipped channel would lie beyond it
-constexpr double dull_chroma = 0.25;  // of luma: duller are walls, floors, robots
-constexpr double clipped = 248.0;     // level; mixing and rounding leave a clipped channel somewhat below 255
-
-std::uint8_t level(double value) {
-    return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
-}
-
-bool is_dull(const Rgb& rgb) {
-    const LumaChroma p = luma_chroma_of(rgb);
-    return std::hypot(p.cb, p.cr) < dull_chroma * p.y;
-}
-
-Colour class_of(const ColourTable& table, const Rgb& rgb) {
-    const LumaChroma p = luma_chroma_of(rgb);
-    return table.at({level(p.y), level(p.cb + 128.0), level(p.cr + 128.0)});
-}
-
 }  // namespace
 
 std::size_t ClippedColours::bin(double level) {
-    if (level >= clipped) return bins - 1;
+    if (level >= clipped_level) return bins - 1;
     return static_cast<std::size_t>(std::max(level, 0.0) / (256.0 / (bins - 1)));
 }
 
 ClippedColours::ClippedColours(const ColourTable& base, const ColourGains& gains)
-    : driven_{255.0 / gains.red < clipped, 255.0 / gains.green < clipped, 255.0 / gains.blue < clipped},
+    : driven_{255.0 / gains.red < clipped_level, 255.0 / gains.green < clipped_level,
+              255.0 / gains.blue < clipped_level},
       likeliest_(bins * bins * bins, static_cast<std::uint8_t>(colour_count)) {
     // For each level that is tried of a channel: where it comes to lie, and how much it counts.
     struct Seen {
@@ -58,7 +42,7 @@ ClippedColours::ClippedColours(const ColourTable& base, const ColourGains& gains
         for (std::size_t g = 0; g < green.size(); ++g) {
             for (std::size_t b = 0; b < blue.size(); ++b) {
                 const Rgb rgb{of(r), of(g), of(b)};
-                const Colour colour = class_of(base, rgb);
+                const Colour colour = base.at(ycbcr_of(rgb));
                 const bool odd = colour == Colour::unclassified && !is_dull(rgb);
                 (odd ? odd_ones : classified) += colour != Colour::unclassified || odd ? 1.0 : 0.0;
                 const std::size_t seen = (red[r].bin * bins + green[g].bin) * bins + blue[b].bin;
@@ -74,7 +58,7 @@ ClippedColours::ClippedColours(const ColourTable& base, const ColourGains& gains
         if (*most > 0.0) likeliest_[i] = static_cast<std::uint8_t>(most - weights[i].begin());
     }
     const double grey = std::min(255.0, 255.0 / std::min({gains.red, gains.green, gains.blue}));
-    likeliest_.back() = static_cast<std::uint8_t>(class_of(base, {grey, grey, grey}));
+    likeliest_.back() = static_cast<std::uint8_t>(base.at(ycbcr_of(Rgb{grey, grey, grey})));
 }
 
 std::optional<Colour> ClippedColours::at(const Rgb& seen) const {

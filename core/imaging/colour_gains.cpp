@@ -20,16 +20,10 @@ constexpr double coarse_below = 0.7;  // gain: of a darker picture, a cell holds
 // Of the density of all colours alike: halls are dull, most other colours never occur, and a post that is
 // taken for one of them costs more than one of them taken for a post.
 constexpr double odd_weight = 0.1;
-constexpr double dull_chroma = 0.25;  // of luma
-constexpr int finest_adapted = 7;     // bits: of more, making the table takes longer than a frame
+constexpr int finest_adapted = 7;  // bits: of more, making the table takes longer than a frame
 
-std::uint8_t level(double value) {
-    return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
-}
-
-Ycbcr ycbcr_of(const Eigen::Vector3d& rgb) {
-    const LumaChroma p = luma_chroma_of({rgb.x(), rgb.y(), rgb.z()});
-    return {level(p.y), level(p.cb + 128.0), level(p.cr + 128.0)};
+Rgb rgb_from(const Eigen::Vector3d& levels) {
+    return {levels.x(), levels.y(), levels.z()};
 }
 
 LumaChroma undone(const Rgb& rgb, const ColourGains& gains) {
@@ -39,12 +33,6 @@ LumaChroma undone(const Rgb& rgb, const ColourGains& gains) {
 int adapted_bits(int bits, const ColourGains& gains) {
     const double least = std::min({gains.red, gains.green, gains.blue});
     return least < coarse_below ? std::max(bits, std::min(bits + 1, finest_adapted)) : bits;
-}
-
-/// Whether walls have a colour like that.
-bool is_dull(const Eigen::Vector3d& levels) {
-    const LumaChroma p = luma_chroma_of({levels.x(), levels.y(), levels.z()});
-    return std::hypot(p.cb, p.cr) < dull_chroma * p.y;
 }
 
 /// Calls `visit` for each entry of the table and the levels in the middle of its cell.
@@ -71,7 +59,7 @@ void add_clipped(ColourTable& table, const ColourTable& base, const ColourGains&
 /// Whether light has driven a channel to its end that would not reach it without the gains.
 bool driven_to_end(const Rgb& seen, const ColourGains& gains) {
     const auto driven = [](double level, double gain) {
-        return level >= SurfaceDensity::clipped && 255.0 / gain < SurfaceDensity::clipped;
+        return level >= clipped_level && 255.0 / gain < clipped_level;
     };
     return driven(seen.red, gains.red) || driven(seen.green, gains.green) || driven(seen.blue, gains.blue);
 }
@@ -112,14 +100,14 @@ ColourTable adapted(const ColourTable& base, const ColourGains& gains, const Kno
         for (int cr = 0; cr < 256; cr += step) {
             const LumaChroma chroma = undone(rgb_of(0.0, cb + centre - 128.0, cr + centre - 128.0), gains);
             for (const LumaChroma& luma : of_luma) {
-                const Ycbcr was{level(chroma.y + luma.y), level(chroma.cb + luma.cb + 128.0),
-                                level(chroma.cr + luma.cr + 128.0)};
+                const Ycbcr was =
+                    ycbcr_of(LumaChroma{chroma.y + luma.y, chroma.cb + luma.cb, chroma.cr + luma.cr});
                 table.entries()[entry++] = static_cast<std::uint8_t>(base.at(was));
             }
         }
     }
     if (std::max({gains.red, gains.green, gains.blue}) > 1.0) add_clipped(table, base, gains);
-    if (known.field && known.goal && !is_dull(*known.goal)) decide_known(table, gains, known);
+    if (known.field && known.goal && !is_dull(rgb_from(*known.goal))) decide_known(table, gains, known);
     return table;
 }
 
@@ -127,10 +115,10 @@ double goals_kept(const ColourTable& base, const ColourTable& table, const Colou
                   const KnownColours& known) {
     int goal = 0, kept = 0;
     const auto ask = [&](const Eigen::Vector3d& rgb) {
-        if (base.at(ycbcr_of(rgb)) != Colour::goal) return;
+        if (base.at(ycbcr_of(rgb_from(rgb))) != Colour::goal) return;
         ++goal;
         const Eigen::Vector3d seen = rgb.cwiseProduct(Eigen::Vector3d(gains.red, gains.green, gains.blue));
-        kept += table.at(ycbcr_of(seen.cwiseMin(255.0))) == Colour::goal;
+        kept += table.at(ycbcr_of(rgb_from(seen.cwiseMin(255.0)))) == Colour::goal;
     };
     if (known.goal) {
         for (double brightness = 0.6; brightness <= 1.6; brightness *= 1.05) ask(brightness * *known.goal);

@@ -25,14 +25,14 @@ double below(double level, double mean, double sigma) {
 
 SurfaceDensity::Levels SurfaceDensity::around(double mean, double spread) {
     const double sigma = std::hypot(spread * mean, noise);
-    const double end = 1.0 - below(clipped, mean, sigma);
+    const double end = 1.0 - below(clipped_level, mean, sigma);
     Levels levels{};
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const double level = static_cast<double>(i);
         const double deviation = (level - mean) / sigma;
         const double density =
             std::exp(-0.5 * deviation * deviation) / (sigma * std::sqrt(2.0 * std::numbers::pi));
-        levels[i] = static_cast<float>(std::max(least, level < clipped ? density : end));
+        levels[i] = static_cast<float>(std::max(least, level < clipped_level ? density : end));
     }
     return levels;
 }
@@ -41,7 +41,8 @@ SurfaceDensity::Levels SurfaceDensity::evenly(double end) {
     Levels levels{};
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const double level = static_cast<double>(i);
-        const double density = level < clipped ? below(end, level, noise) / end : 1.0 - clipped / end;
+        const double density =
+            level < clipped_level ? below(end, level, noise) / end : 1.0 - clipped_level / end;
         levels[i] = static_cast<float>(std::max(least, density));
     }
     return levels;

@@ -26,9 +26,6 @@ class SurfaceDensity {
 
     double at(const Rgb& seen) const;
 
-    /// Level from which on a channel counts as being at the end: mixing and rounding leave it below 255.
-    static constexpr double clipped = 248.0;
-
   private:
     using Levels = std::array<float, 256>;  // density of each level of a channel
     struct Brightness {

@@ -49,7 +49,6 @@ ColoursAdaptModule::ColoursAdaptModule(ModuleContext& context, const Parameters&
     : context_(context),
       parameters_(parameters),
       base_(colour_table_parameter(parameters.colours, info().executable)),
-      table_(base_),
       tracker_(parameters.light),
       goal_(parameters.goal),
       frames_(frames_kept),
@@ -70,8 +69,7 @@ ColoursAdaptModule::ColoursAdaptModule(ModuleContext& context, const Parameters&
 void ColoursAdaptModule::begin_anew() {
     tracker_ = LightTracker(parameters_.light);
     goal_ = GoalColour(parameters_.goal);
-    table_ = base_;
-    earlier_.clear();
+    tables_.clear();
     seen_.clear();
     said_ = {};
     said_known_ = {};
@@ -93,7 +91,7 @@ void ColoursAdaptModule::take(const border_t& message) {
         context_.status.count("without_picture", 1);
         return;
     }
-    const auto look = look_at_field(frame->pixels, from_message(message), table_, parameters_.light);
+    const auto look = look_at_field(frame->pixels, from_message(message), latest_table(), parameters_.light);
     if (!frame->still_valid()) {
         context_.status.dropped(1);
         return;
@@ -109,10 +107,14 @@ void ColoursAdaptModule::take(const border_t& message) {
     context_.status.set("disbelieved", tracker_.disbelieved());
 }
 
+const ColourTable& ColoursAdaptModule::latest_table() const {
+    return tables_.empty() ? base_ : tables_.back().table;
+}
+
 const ColourTable& ColoursAdaptModule::table_of(std::int64_t utime) const {
-    const auto holds = std::find_if(earlier_.rbegin(), earlier_.rend(),
+    const auto holds = std::find_if(tables_.rbegin(), tables_.rend(),
                                     [&](const Said& said) { return said.from_utime <= utime; });
-    return holds == earlier_.rend() ? base_ : holds->table;
+    return holds == tables_.rend() ? base_ : holds->table;
 }
 
 /// Posts of a frame may come before the next frame's border or after it: they are looked at with the table
@@ -166,9 +168,8 @@ void ColoursAdaptModule::say(const border_t& message) {
     }
     said_ = tracker_.gains();
     said_known_ = known;
-    table_ = std::move(table);
-    earlier_.push_back({message.utime + microseconds(parameters_.lead), table_});
-    if (earlier_.size() > tables_kept) earlier_.pop_front();
+    tables_.push_back({message.utime + microseconds(parameters_.lead), std::move(table)});
+    if (tables_.size() > tables_kept) tables_.pop_front();
     publish_gains(message);
 }
 

@@ -53,6 +53,7 @@ class ColoursAdaptModule : public Module {
     void begin_anew();
     void take(const border_t& message);
     void take(const posts_t& message);
+    const ColourTable& latest_table() const;
     const ColourTable& table_of(std::int64_t utime) const;
     void learn_from_posts(std::int64_t utime);
     void search(const Frame& frame, const border_t& message);
@@ -62,12 +63,11 @@ class ColoursAdaptModule : public Module {
     ModuleContext& context_;
     Parameters parameters_;
     ColourTable base_;
-    ColourTable table_;  // base_ under said_ and said_known_
     LightTracker tracker_;
     GoalColour goal_;
     ColourGains said_;
     KnownColours said_known_;
-    std::deque<Said> earlier_;                 // the latest few, oldest first
+    std::deque<Said> tables_;                  // base_ under what was said, the latest few, oldest first
     std::deque<Seen> seen_;                    // not learnt from yet
     std::optional<std::int64_t> said_at_;      // µs
     std::optional<std::int64_t> tried_at_;     // µs: to adapt, said or not

@@ -261,8 +261,11 @@ TEST(UprightDetector, AStickBeforeTheFeetIsNoPostFarAway) {
 TEST(UprightDetector, AGreenWallHidesNoPostFromAKnownPose) {
     const Robot robot;
     Candidates c = empty_frame(robot.camera);
-    add(c, robot, post_at(6.0, 0.0));
-    for (int y = 2; y < c.height; y += spacing) c.field.push_back({y, 0, c.width / 2 - 40});
+    add(c, robot, post_at(8.0, 0.0));
+    for (int y = 2; y < c.height; y += spacing) {
+        c.field.push_back({y, 0, c.width / 2 - 40});
+        c.field.push_back({y, c.width / 2 + 40, c.width - 1});
+    }
     EXPECT_TRUE(detect(c, robot, std::nullopt).empty())
         << "the scene shows what the field's border would say";
     EXPECT_EQ(detect(c, robot, robot.told()).size(), 1U);

@@ -10,7 +10,7 @@ const Eigen::Vector3d yellow(226, 184, 34);
 /// The sum over all levels of all channels: the end of the scale counts once.
 double total(const SurfaceDensity& density) {
     constexpr double step = 3.0;
-    const double end = SurfaceDensity::clipped;
+    const double end = clipped_level;
     double sum = 0.0;
     for (double red = 1.0; red < end + step; red += step)
         for (double green = 1.0; green < end + step; green += step)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -68,18 +69,26 @@ TEST(ChromaEvidence, TellsByHowMuchChromaLiesBesideTheLuma) {
 
 TEST(ChromaEvidence, NeedsBothSides) {
     const DrawnPost scene = before_the_dark();
-    const ChromaEvidence there = evidence_of(drawn(scene, 1.5), scene);
+    const ChromaEvidence there = evidence_of(drawn(scene, 2.0), scene);
     ChromaEvidence one = there, opposite = there;
     one.side(1) = ChromaLag();
     EXPECT_EQ(one.shift(), 0.0) << "no right edge";
-    opposite.side(1) = evidence_of(drawn(scene, -1.0), scene).side(1);
+    opposite.side(1) = evidence_of(drawn(scene, -0.5), scene).side(1);
     EXPECT_EQ(opposite.shift(), 0.0) << "a shadow on one side, a lamp on the other";
     EXPECT_EQ(ChromaEvidence().shift(), 0.0);
 }
 
+TEST(ChromaEvidence, WhereLumaShowsAPostsShadingThereIsNone) {
+    DrawnPost scene = before_the_dark();
+    scene.behind = [](double, double) { return Levels(140, 140, 140); };  // as bright as the post's sides
+    ChromaEvidence evidence = evidence_of(scene.draw(), scene);
+    for (std::size_t side = 0; side < 2; ++side) EXPECT_FALSE(evidence.side(side).told()) << side;
+}
+
 TEST(ChromaEvidence, OfAGreyPostThereIsNone) {
     DrawnPost scene = before_the_dark();
-    scene.post = {220, 220, 220};
+    scene.post = {220, 215, 204};  // nearly
+    scene.noise = 0.5;
     EXPECT_EQ(evidence_of(drawn(scene, 2.0), scene).shift(), 0.0);
 }
 
