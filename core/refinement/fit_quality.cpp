@@ -6,7 +6,7 @@
 namespace goalmouth {
 
 double fit_quality(const SilhouetteFit& fit, const CoarseEdgeFinder::Edges& coarse,
-                   const std::array<bool, 2>& edges, int rows, const std::array<RunEnds, 2>& ends) {
+                   const std::array<bool, 2>& edges, int rows, const std::array<RivalVerdict, 2>& rivals) {
     if (!fit.converged) return 0.0;
     double quality = 1.0;
     for (std::size_t side = 0; side < 2; ++side) {
@@ -18,7 +18,7 @@ double fit_quality(const SilhouetteFit& fit, const CoarseEdgeFinder::Edges& coar
         const double looked = std::max(1, fit.scatter.looked_at[side]);
         quality = std::min({quality, agreeing / (usual_share * looked), agreeing / enough,
                             agreeing / (least_share * std::max(1, rows)),
-                            1.0 - rival_harm * coarse[side]->rival, 1.0 - end_harm * ends[side].rival()});
+                            1.0 - rival_harm * coarse[side]->rival, 1.0 - end_harm * rivals[side].rival()});
         if (fit.consensus.disagree) {
             // Odds of e² against the next best place are just enough.
             constexpr double sure = 4.0;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/refinement/coarse_edges.h"
-#include "core/refinement/run_ends.h"
+#include "core/refinement/edge_rivals.h"
 #include "core/refinement/silhouette_fit.h"
 
 #include <array>
@@ -15,10 +15,11 @@ namespace goalmouth {
 ///         whether the others speak for another place does Place;
 /// Rival   how well crossings agree with another edge parallel to one of them (CoarseEdge::rival);
 /// Place   how much more evidence either edge's place has than the next best (EdgeConsensus);
-/// Ends    in how many rows the post's colour ends elsewhere than at either edge, against those where it
-/// does; Width   the relative sigma of the distance. 0 where the fit has not converged. `rows`: in which
+/// Ends    in how many rows the post's colour ends elsewhere than at either edge and it cannot be told which
+/// is right, against those where it ends there;
+/// Width   the relative sigma of the distance. 0 where the fit has not converged. `rows`: in which
 /// edges were looked for.
 double fit_quality(const SilhouetteFit& fit, const CoarseEdgeFinder::Edges& coarse,
-                   const std::array<bool, 2>& edges, int rows, const std::array<RunEnds, 2>& ends);
+                   const std::array<bool, 2>& edges, int rows, const std::array<RivalVerdict, 2>& rivals);
 
 }  // namespace goalmouth

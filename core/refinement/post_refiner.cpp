@@ -3,10 +3,8 @@
 #include "core/imaging/chroma_shift.h"
 #include "core/refinement/chroma_evidence.h"
 #include "core/refinement/fit_quality.h"
-#include "core/refinement/post_extent.h"
 #include "core/refinement/refined_measurement.h"
 #include "core/refinement/response_evidence.h"
-#include "core/refinement/run_ends.h"
 
 #include <algorithm>
 #include <array>
@@ -57,54 +55,14 @@ void fetch_edges(YuyvView image, const RoughOutline& outline) {
     }
 }
 
-/// The silhouette that one plane and a guess of the half angle make.
-PostSilhouette silhouette_from(const Eigen::Vector3d& plane, OutlineSide side, const Eigen::Vector3d& up,
-                               double half_angle) {
-    PostSilhouette post;
-    post.up = (up - up.dot(plane) * plane).normalized();
-    const Eigen::Vector3d across = post.up.cross(plane);
-    const double sign = side == OutlineSide::left ? 1.0 : -1.0;
-    post.right = (sign * std::cos(half_angle) * plane - std::sin(half_angle) * across).normalized();
-    post.ahead = post.up.cross(post.right);
-    post.half_angle = half_angle;
-    return post;
-}
-
-double rough_half_angle(const RoughOutline& outline, const Intrinsics& camera) {
-    const double row = 0.5 * (outline.first_row + outline.last_row);
-    const double left = std::atan(normalised_from_pixel(camera, {outline.left(row), row}).x());
-    const double right = std::atan(normalised_from_pixel(camera, {outline.right(row), row}).x());
-    return 0.5 * std::abs(right - left);
-}
-
 }  // namespace
 
 PostRefiner::PostRefiner(const RefinementParameters& parameters, const Field& field)
-    : parameters_(parameters), field_(field) {}
+    : parameters_(parameters), field_(field), search_(parameters, field) {}
 
-PostRefiner::Vertical PostRefiner::vertical(const std::optional<CameraPose>& pose) const {
-    Vertical result;
-    const double lean = parameters_.tilt_floor;
-    if (!pose || !pose->T_BC.matrix().allFinite() || !pose->covariance.allFinite()) {
-        result.covariance =
-            (parameters_.level_sigma * parameters_.level_sigma + lean * lean) * Eigen::Matrix3d::Identity();
-        return result;
-    }
-    const Eigen::Matrix3d R_BC = pose->T_BC.linear();
-    result.up = R_BC.transpose() * Eigen::Vector3d::UnitZ();
-    // A small turn ω in B moves the vertical, seen from C, by R_BCᵀ (e_z × ω).
-    Eigen::Matrix3d turn;
-    turn << 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0;
-    const Eigen::Matrix3d change = R_BC.transpose() * turn;
-    result.covariance = change * pose->covariance.bottomRightCorner<3, 3>() * change.transpose() +
-                        lean * lean * Eigen::Matrix3d::Identity();
-    result.camera = CameraStance{pose->T_BC.translation().z(), pose->covariance(2, 2),
-                                 change * pose->covariance.block<3, 1>(3, 2)};
-    return result;
-}
-
-PostRefiner::Start PostRefiner::start(YuyvView image, const Intrinsics& camera, const Vertical& vertical,
-                                      const Post& post, CameraResponse response) {
+PostRefiner::Start PostRefiner::start(YuyvView image, const Intrinsics& camera,
+                                      const MeasuredVertical& vertical, const Post& post,
+                                      CameraResponse response) {
     Start found;
     found.problem = [&]() -> const char* {
         if (post.has(post_flag::fills_image)) return "it fills the picture: no edge in sight";
@@ -148,59 +106,30 @@ CameraResponse PostRefiner::response_of(YuyvView image, const Intrinsics& camera
     return evidence.response();
 }
 
-std::string PostRefiner::measure(YuyvView image, const Intrinsics& camera, const Vertical& vertical,
+std::string PostRefiner::measure(YuyvView image, const Intrinsics& camera, const MeasuredVertical& vertical,
                                  const Start& found, RefinedPost& refined) {
     if (!found.problem.empty()) return found.problem;
     Post& post = refined.post;
-    const RoughOutline& outline = found.outline;
-    const PostColour& colour = found.colour;
-    const CoarseEdgeFinder::Edges& coarse = found.edges;
-    std::array<bool, 2> edges = {coarse[0] && !post.has(post_flag::left_edge_missing),
-                                 coarse[1] && !post.has(post_flag::right_edge_missing)};
+    const std::array<bool, 2> edges = {found.edges[0] && !post.has(post_flag::left_edge_missing),
+                                       found.edges[1] && !post.has(post_flag::right_edge_missing)};
     if (!edges[0] && !edges[1]) return "no edge in its pixels";
-
-    SilhouettePrior prior;
-    prior.up = vertical.up;
-    PostSilhouette start;
-    if (edges[0] && edges[1]) {
-        start = silhouette_between(coarse[0]->plane, coarse[1]->plane, vertical.up);
-        if (!(start.half_angle > 0.0)) return "its edges cross";
-    } else {
-        const OutlineSide side = edges[0] ? OutlineSide::left : OutlineSide::right;
-        // Of a post that the picture's border cuts more is hidden than an outline shows.
-        const bool cut = post.has(post_flag::cut_left | post_flag::cut_right);
-        const double half_angle = (cut ? 1.5 : 1.0) * rough_half_angle(outline, camera);
-        constexpr double least_sigma = 0.02;  // rad; a post half a metre away: 0.1, six metres: 0.008
-        start = silhouette_from(coarse[edges[0] ? 0 : 1]->plane, side, vertical.up, half_angle);
-        prior.half_angle = half_angle;
-        prior.half_angle_sigma = std::max(0.5 * half_angle, least_sigma);
-    }
-    constexpr double surest = 1e-6;  // rad; its square has to have an inverse
-    prior.lean_sigma = std::max(surest, std::sqrt(start.ahead.dot(vertical.covariance * start.ahead)));
-
-    // While a picture's rows are read one by one the camera turns: half a rad/s are 0.02 over 30 ms.
-    constexpr double shutter_slant = 0.02;
-    prior.roll_sigma = std::hypot(
-        shutter_slant, std::sqrt(std::max(0.0, start.right.dot(vertical.covariance * start.right))));
-
-    const PostExtent extent = find_extent(image, start, colour, camera, outline);
-    if (extent.last_edge_row - extent.first_edge_row + 1 < least_rows) return "too few rows of its colour";
-    const RowLayout layout = layout_rows(extent.first_edge_row, extent.last_edge_row, parameters_.most_rows);
-    const SilhouetteFit fit =
-        fitter_.fit(image, camera, colour, start, prior, layout, edges, parameters_.least_contrast);
-    refined.rows = layout.count;
+    const PostColour& colour = found.colour;
+    const FoundSilhouette last = search_.find(
+        image,
+        {camera, vertical, found.outline, colour, post.has(post_flag::cut_left | post_flag::cut_right)},
+        found.edges, edges);
+    const PostExtent& extent = last.extent;
+    const SilhouetteFit& fit = last.fit;
+    refined.rows = last.layout.count;
     refined.iterations = fit.iterations;
-    if (!(fit.covariance.allFinite() && fit.covariance.diagonal().minCoeff() > 0.0) ||
-        fit.scatter.agreeing == std::array<int, 2>{})
-        return "no edge in its pixels";
+    if (!last.problem.empty()) return last.problem;
     for (std::size_t side = 0; side < 2; ++side) {
         if (!edges[side]) continue;
         auto& edge = side == 0 ? refined.left : refined.right;
         edge = RefinedEdge{fit.post.plane(side == 0 ? OutlineSide::left : OutlineSide::right),
                            fit.scatter.agreeing[side]};
     }
-    refined.quality = fit_quality(fit, coarse, edges, layout.count,
-                                  run_ends(image, fit.post, colour, camera, extent, fit.blur));
+    refined.quality = fit_quality(fit, last.edges, edges, last.layout.count, last.rivals);
     if (refined.quality < parameters_.least_quality) return "its pixels fit badly";
     if (!edges[0]) post.flags |= post_flag::left_edge_missing;
     if (!edges[1]) post.flags |= post_flag::right_edge_missing;
@@ -216,19 +145,19 @@ std::string PostRefiner::measure(YuyvView image, const Intrinsics& camera, const
     if (ends.base) refined.base = ends.base->pixel;
     if (ends.top) refined.top = ends.top->pixel;
     if (!edges[0] || !edges[1]) return "";
-    const CombinedDistance all =
-        combine_distances(by_width, fit.post, ends, vertical.camera, prior.lean_sigma, field_, parameters_);
+    const CombinedDistance all = combine_distances(by_width, fit.post, ends, vertical.camera,
+                                                   last.prior.lean_sigma, field_, parameters_);
     refined.cues = all.cues;
     post.distance_m = all.estimate.distance;
     post.bearing_rad = all.estimate.bearing;
     post.covariance = all.estimate.covariance();
     using silhouette_part::lean;
-    measured_.push_back({fit.post, all.estimate, fit.covariance.col(lean) / square(prior.lean_sigma)});
+    measured_.push_back({fit.post, all.estimate, fit.covariance.col(lean) / square(last.prior.lean_sigma)});
     measured_of_.push_back(refined_.size() - 1);
     return "";
 }
 
-void PostRefiner::use_goals(const Vertical& vertical) {
+void PostRefiner::use_goals(const MeasuredVertical& vertical) {
     const Eigen::Matrix3d attitude =
         vertical.covariance - square(parameters_.tilt_floor) * Eigen::Matrix3d::Identity();
     for (const GoalPairResult& told :
@@ -248,7 +177,7 @@ const std::vector<RefinedPost>& PostRefiner::refine(YuyvView image, const std::v
     measured_.clear();
     measured_of_.clear();
     starts_.clear();
-    const Vertical up = vertical(pose);
+    const MeasuredVertical up = measured_vertical(pose, parameters_);
     if (!image.empty())
         for (const Post& post : posts)
             starts_.push_back(start(image, camera, up, post, CameraResponse::linear));

@@ -6,12 +6,12 @@
 #include "core/geometry/camera_pose.h"
 #include "core/imaging/yuyv.h"
 #include "core/refinement/coarse_edges.h"
-#include "core/refinement/distance_cues.h"
 #include "core/refinement/goal_pairs.h"
+#include "core/refinement/measured_vertical.h"
 #include "core/refinement/post_colour.h"
 #include "core/refinement/refined_post.h"
 #include "core/refinement/refinement_parameters.h"
-#include "core/refinement/silhouette_fit.h"
+#include "core/refinement/silhouette_search.h"
 
 #include <cstddef>
 #include <optional>
@@ -25,7 +25,7 @@ namespace goalmouth {
 /// For each post: its colour (post_colour.h), what the camera makes of light (camera_response.h; asked of all
 /// posts of a picture together, response_evidence.h), its edges to half a pixel wherever they lie near the
 /// detector's (coarse_edges.h), the rows it can be seen in (post_extent.h), the two planes that touch it
-/// (silhouette_fit.h), distance and bearing with covariance (refined_measurement.h).
+/// (silhouette_search.h), distance and bearing with covariance (refined_measurement.h).
 class PostRefiner {
   public:
     PostRefiner(const RefinementParameters& parameters, const Field& field);
@@ -36,14 +36,6 @@ class PostRefiner {
                                            const Intrinsics& camera, const std::optional<CameraPose>& pose);
 
   private:
-    /// The measured vertical.
-    struct Vertical {
-        Eigen::Vector3d up = -Eigen::Vector3d::UnitY();  // frame C
-        Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-        std::optional<CameraStance> camera;
-    };
-
-    Vertical vertical(const std::optional<CameraPose>& pose) const;
     /// What is found out of a post before its pixels are fitted.
     struct Start {
         std::string problem;  // why there is none
@@ -52,20 +44,20 @@ class PostRefiner {
         CoarseEdgeFinder::Edges edges;
     };
 
-    Start start(YuyvView image, const Intrinsics& camera, const Vertical& vertical, const Post& post,
+    Start start(YuyvView image, const Intrinsics& camera, const MeasuredVertical& vertical, const Post& post,
                 CameraResponse response);
     double chroma_shift_of(YuyvView image, const Intrinsics& camera) const;      // px, by starts_
     CameraResponse response_of(YuyvView image, const Intrinsics& camera) const;  // by starts_ in levels
     /// "" where it was refined, else why not.
-    std::string measure(YuyvView image, const Intrinsics& camera, const Vertical& vertical,
+    std::string measure(YuyvView image, const Intrinsics& camera, const MeasuredVertical& vertical,
                         const Start& found, RefinedPost& refined);
-    void use_goals(const Vertical& vertical);
+    void use_goals(const MeasuredVertical& vertical);
 
     RefinementParameters parameters_;
     Field field_;
     PostColourEstimator colours_;
     CoarseEdgeFinder coarse_;
-    SilhouetteFitter fitter_;
+    SilhouetteSearch search_;
     std::vector<Start> starts_;
     YuyvImage moved_;  // a picture of which the chroma lay beside the luma
     std::vector<RefinedPost> refined_;

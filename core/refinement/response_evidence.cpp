@@ -3,6 +3,7 @@
 #include "core/refinement/along_edges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
@@ -97,15 +98,6 @@ void BowEvidence::add(double pull, double information) {
     information_square_ += information * information;
 }
 
-BowEvidence& BowEvidence::operator+=(const BowEvidence& other) {
-    pull_ += other.pull_;
-    information_ += other.information_;
-    pull_square_ += other.pull_square_;
-    pull_information_ += other.pull_information_;
-    information_square_ += other.information_square_;
-    return *this;
-}
-
 double BowEvidence::share() const {
     return information_ > 0.0 ? pull_ / information_ : 0.0;
 }
@@ -117,37 +109,35 @@ double BowEvidence::sigma() const {
     return information_ > 0.0 ? std::sqrt(std::max(0.0, rest)) / information_ : 0.0;
 }
 
-bool BowEvidence::there(double sigmas) const {
-    constexpr double least = 0.5, most = 1.5;
-    if (!(information_ > 0.0)) return false;
+double BowEvidence::odds() const {
+    if (!(information_ > 0.0)) return 0.0;
     // Of a few rows the scatter says little: no better than the noise allows.
-    const double sure = std::max(sigma(), 1.0 / std::sqrt(information_));
-    return share() > least && share() < most && share() > sigmas * sure;
-}
-
-ResponseEvidence& ResponseEvidence::operator+=(const ResponseEvidence& other) {
-    for (std::size_t i = 0; i < sides_.size(); ++i) sides_[i] += other.sides_[i];
-    return *this;
+    constexpr double model = 0.1;  // the bow itself, of a camera's own curve
+    const double sure = std::hypot(std::max(sigma(), 1.0 / std::sqrt(information_)), model);
+    // A fifth of the edges tell something else: anything over a range of two.
+    constexpr double other = 0.2, range = 2.0;
+    const auto likelihood = [&](double expected) {
+        const double off = (share() - expected) / sure;
+        return (1.0 - other) * 0.39894 / sure * std::exp(-0.5 * off * off) + other / range;
+    };
+    return std::log(likelihood(1.0) / likelihood(0.0));
 }
 
 CameraResponse ResponseEvidence::response() const {
-    BowEvidence both = sides_[0];
-    both += sides_[1];
-    constexpr double beyond_doubt = 6.0, likely = 3.0;  // sigmas
-    const bool there = both.there(beyond_doubt) && sides_[0].there(likely) && sides_[1].there(likely);
-    return there ? CameraResponse::srgb : CameraResponse::linear;
+    constexpr double beyond_doubt = 5.0;  // one edge tells 3 at most
+    return odds_ > beyond_doubt ? CameraResponse::srgb : CameraResponse::linear;
 }
 
 ResponseEvidence response_evidence(YuyvView image, const RoughOutline& outline, const PostColour& colour,
                                    const Intrinsics& camera, const CoarseEdgeFinder::Edges& edges) {
     Bow bow(colour);
-    ResponseEvidence evidence;
+    std::array<BowEvidence, 2> sides;
     const int pairs = image.width / 2;
     along_edges(outline, camera, edges, most_rows, [&](const EdgeRow& at) {
         bow.add(PairRow(image.row(at.y), pairs, CameraResponse::linear), pairs, at.edge, at.outwards(),
-                at.inside, evidence.side(at.side));
+                at.inside, sides[at.side]);
     });
-    return evidence;
+    return {sides[0], sides[1]};
 }
 
 }  // namespace goalmouth

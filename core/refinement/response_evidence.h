@@ -5,9 +5,6 @@
 #include "core/refinement/coarse_edges.h"
 #include "core/refinement/post_colour.h"
 
-#include <array>
-#include <cstddef>
-
 namespace goalmouth {
 
 /// What the pixels between post and background say of a camera's response.
@@ -22,32 +19,37 @@ class BowEvidence {
   public:
     /// One row: Σ measured · expected and Σ expected² of its pairs, in sigmas of a pair's noise.
     void add(double pull, double information);
-    BowEvidence& operator+=(const BowEvidence& other);
 
     /// How much of the bow is there, about 0 or 1; 0 where nothing says so.
     double share() const;
     /// Its sigma as the rows scatter: textures, compression and things beside posts are no noise of pairs.
     double sigma() const;
-    /// Whether it is all there, to so many sigmas.
-    bool there(double sigmas) const;
+    /// Logarithm of the odds that it is all there against none of it. That rows agree makes it no surer than
+    /// how often something beside an edge looks like a bow all along it.
+    double odds() const;
 
   private:
     double pull_ = 0.0, information_ = 0.0;
     double pull_square_ = 0.0, pull_information_ = 0.0, information_square_ = 0.0;  // sums over rows
 };
 
-/// Of the left and the right edges of a picture's posts: what only happens to stand beside one looks like a
-/// bow on its side alone.
+/// Of each edge of a picture's posts.
 class ResponseEvidence {
   public:
-    BowEvidence& side(std::size_t i) { return sides_[i]; }
-    ResponseEvidence& operator+=(const ResponseEvidence& other);
+    ResponseEvidence() = default;
+    /// Of one post.
+    ResponseEvidence(const BowEvidence& left, const BowEvidence& right) : odds_(left.odds() + right.odds()) {}
+    ResponseEvidence& operator+=(const ResponseEvidence& other) {
+        odds_ += other.odds_;
+        return *this;
+    }
 
-    /// srgb where the bow is there beyond doubt on both sides. What says nothing counts as linear.
+    /// srgb where the bow is there beyond doubt: no one edge is enough, and edges that have none speak
+    /// against those that do. What says nothing counts as linear.
     CameraResponse response() const;
 
   private:
-    std::array<BowEvidence, 2> sides_;
+    double odds_ = 0.0;
 };
 
 /// About the coarse edges of one post. `colour`: of levels, not of light.

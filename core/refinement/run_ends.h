@@ -6,21 +6,43 @@
 #include "core/refinement/post_silhouette.h"
 
 #include <array>
+#include <vector>
 
 namespace goalmouth {
 
-/// Where the post's colour ends on the way from its middle out, over the rows of one edge.
-struct RunEnds {
-    int here = 0;       // rows in which it ends at the edge
-    int elsewhere = 0;  // the most that end at one other distance from it, within the post's width
+/// Where the post's colour ends on the way out, in one row.
+struct RunEnd {
+    int y = 0;
+    double edge = 0.0;    // px, the silhouette's edge
+    double width = 0.0;   // px, to its other edge
+    double beyond = 0.0;  // px, the end, outwards of the edge
+};
 
-    /// 0 where all end at the edge; 1 where as many end at another place.
-    double rival() const { return elsewhere / (here > 0 ? static_cast<double>(here) : 1.0); }
+/// Rows of one edge: where the post's colour ends on the way from the post's inside out.
+struct RunEnds {
+    /// A place beside the edge where many end.
+    struct Place {
+        double beyond = 0.0;  // px outwards
+        int rows = 0;
+    };
+
+    std::vector<RunEnd> rows;  // from the uppermost down
+    int step = 1;              // each stands for so many rows of the picture, from its own down
+    double tolerance = 0.0;    // px: what ends nearer to the edge ends there
+    double spread = 0.0;       // px: what ends at one place lies so near to it
+
+    bool ends_here(const RunEnd& row) const;
+    int here() const;
+    /// Where most of those end that do so farther in than the edge, or farther out.
+    Place inside() const;
+    Place outside() const;
 };
 
 /// Of a silhouette's left and right edge. What decides for an edge elsewhere is the fit's business; this
 /// looks at the picture alone, so that a straight edge of what stands before a post or behind it shows:
-/// within it the post's colour ends sooner, or goes on beyond. `blur` [px]: of the edges, along the row.
+/// within it the post's colour ends sooner, or goes on beyond, by no more than the post's width and a few px.
+/// The rows are those in which the edges can be seen and, as what a silhouette too wide takes in may end
+/// above the post's foot, those below while they show its colour. `blur` [px]: of the edges, along the row.
 std::array<RunEnds, 2> run_ends(YuyvView image, const PostSilhouette& post, const PostColour& colour,
                                 const Intrinsics& camera, const PostExtent& extent, double blur);
 

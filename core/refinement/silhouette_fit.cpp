@@ -90,6 +90,12 @@ StepEquations equations_of(const SilhouettePrior& prior, const PostSilhouette& p
     return known;
 }
 
+/// Whether any row of a bin is among those.
+bool is_left_out(const std::vector<int>& rows, const RowLayout& layout, int bin) {
+    const auto at = std::lower_bound(rows.begin(), rows.end(), layout.top(bin));
+    return at != rows.end() && *at < layout.top(bin) + layout.bin;
+}
+
 bool is_post(const PostSilhouette& post) {
     constexpr double widest = 1.2;  // rad
     return post.half_angle > 0.0 && post.half_angle <= widest;
@@ -105,7 +111,8 @@ void SilhouetteFitter::read(const Task& task, RowLayout& layout, const Silhouett
     for (std::size_t side = 0; side < 2; ++side) {
         EdgeRows& rows = rows_[side];
         for (std::size_t i = 0; i < rows.count; ++i) {
-            if (!edges_[side]) rows.pairs[i] = 0.0F;
+            if (!edges_[side] || is_left_out(task.left_out[side], layout, static_cast<int>(i)))
+                rows.pairs[i] = 0.0F;
             rows.weight[i] = rows.clean[i] = rows.seen(i) ? 1.0F : 0.0F;
         }
         supposed_[side].start.assign(rows.count);
@@ -322,12 +329,12 @@ void SilhouetteFitter::set_covariance(const SilhouettePrior& prior, SilhouetteFi
 SilhouetteFit SilhouetteFitter::fit(YuyvView image, const Intrinsics& camera, const PostColour& colour,
                                     const PostSilhouette& start, const SilhouettePrior& prior,
                                     const RowLayout& layout, const std::array<bool, 2>& edges,
-                                    double least_contrast) {
+                                    const std::array<std::vector<int>, 2>& left_out, double least_contrast) {
     SilhouetteFit state;
     state.post = start;
     state.blur = 0.9;
     edges_ = edges;
-    const Task task{image, camera, colour, prior, least_contrast};
+    const Task task{image, camera, colour, prior, left_out, least_contrast};
     RowLayout windows = layout;
     if (settle(task, windows, state) && (!state.converged || finish(task, windows, state)))
         set_covariance(prior, state);

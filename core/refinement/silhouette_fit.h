@@ -57,10 +57,12 @@ struct SilhouetteFit {
 /// neighbouring rows' offsets resemble each other (compressed pictures).
 class SilhouetteFitter {
   public:
-    /// `edges`: which of them to use.
+    /// `edges`: which of them to use; `left_out`: the picture's rows (ascending) in which either is not to
+    /// be.
     SilhouetteFit fit(YuyvView image, const Intrinsics& camera, const PostColour& colour,
                       const PostSilhouette& start, const SilhouettePrior& prior, const RowLayout& layout,
-                      const std::array<bool, 2>& edges, double least_contrast);
+                      const std::array<bool, 2>& edges, const std::array<std::vector<int>, 2>& left_out,
+                      double least_contrast);
 
   private:
     struct Task {
@@ -68,6 +70,7 @@ class SilhouetteFitter {
         const Intrinsics& camera;
         const PostColour& colour;
         const SilhouettePrior& prior;
+        const std::array<std::vector<int>, 2>& left_out;
         double least_contrast;
     };
     /// Until rows ask for no more; false where there is no such silhouette.

@@ -45,6 +45,20 @@ struct DrawnPost {
     CameraPose pose(double sigma = 0.01) const;
 };
 
+/// Columns of a post's edges, and rows along it [px].
+struct PostEdges {
+    Post at;
+    double left(double y) const { return along(at.left_top, at.left_base, y); }
+    double right(double y) const { return along(at.right_top, at.right_base, y); }
+    /// Row at a share of the way down.
+    double row(double share) const { return at.left_top.y() + share * (at.left_base.y() - at.left_top.y()); }
+
+  private:
+    static double along(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double y) {
+        return a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    }
+};
+
 /// A small picture where the post lies, to draw quickly.
 DrawnPost small_scene();
 

@@ -4,6 +4,7 @@
 #include "tests/core/refinement/drawn_post.h"
 
 #include <array>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -40,23 +41,28 @@ std::array<RunEnds, 2> look(const DrawnPost& scene, const PostSilhouette& post) 
 TEST(RunEnds, AreAtTheEdgesOfThePost) {
     const DrawnPost scene = small_scene();
     for (const RunEnds& ends : look(scene, silhouette_of(scene, 0.0, 0.0))) {
-        EXPECT_GT(ends.here, 60);
-        EXPECT_LT(ends.rival(), 0.1);
+        EXPECT_GT(ends.here(), 60);
+        EXPECT_LT(ends.inside().rows, 6);
+        EXPECT_LT(ends.outside().rows, 6);
     }
 }
 
 TEST(RunEnds, LieWithinWhatIsTooWide) {
     const DrawnPost scene = small_scene();
     const auto ends = look(scene, silhouette_of(scene, 0.0, 8.0));
-    EXPECT_LT(ends[0].rival(), 0.1);
-    EXPECT_GT(ends[1].rival(), 5.0);
+    EXPECT_GT(ends[0].here(), 60);
+    EXPECT_LT(ends[1].here(), 6);
+    EXPECT_GT(ends[1].inside().rows, 40);
+    EXPECT_NEAR(ends[1].inside().beyond, -8.0, 1.0);
 }
 
 TEST(RunEnds, LieBeyondWhatIsTooNarrow) {
     const DrawnPost scene = small_scene();
     const auto ends = look(scene, silhouette_of(scene, 0.0, -6.0));
-    EXPECT_LT(ends[0].rival(), 0.1);
-    EXPECT_GT(ends[1].rival(), 5.0);
+    EXPECT_GT(ends[0].here(), 60);
+    EXPECT_LT(ends[1].here(), 6);
+    EXPECT_GT(ends[1].outside().rows, 40);
+    EXPECT_NEAR(ends[1].outside().beyond, 6.0, 1.0);
 }
 
 TEST(RunEnds, OfAThingOfThePostsColourBehindSomeRowsAreFewer) {
@@ -69,8 +75,10 @@ TEST(RunEnds, OfAThingOfThePostsColourBehindSomeRowsAreFewer) {
                    : Levels(150, 150, 155);
     };
     const auto ends = look(scene, silhouette_of(scene, 0.0, 0.0));
-    EXPECT_GT(ends[1].elsewhere, 15);
-    EXPECT_LT(ends[1].rival(), 0.8);
+    EXPECT_GT(ends[1].outside().rows, 15);
+    EXPECT_NEAR(ends[1].outside().beyond, 9.0, 2.0);
+    EXPECT_GT(ends[1].here(), ends[1].outside().rows);
+    for (const RunEnd& row : ends[1].rows) EXPECT_TRUE(row.y < end + 3.0 || ends[1].ends_here(row)) << row.y;
 }
 
 TEST(RunEnds, AreNoneWhereTheColourGoesOnToThePicturesSide) {
@@ -79,9 +87,25 @@ TEST(RunEnds, AreNoneWhereTheColourGoesOnToThePicturesSide) {
         return x > 0.5 * scene.camera.width ? scene.post : Levels(150, 150, 155);
     };
     const auto ends = look(scene, silhouette_of(scene, 0.0, 0.0));
-    EXPECT_GT(ends[0].here, 60);
-    EXPECT_LT(ends[1].elsewhere, 5);
-    EXPECT_LT(ends[1].here, 5);
+    EXPECT_GT(ends[0].here(), 60);
+    EXPECT_LT(ends[1].outside().rows, 5);
+    EXPECT_LT(ends[1].here(), 5);
+}
+
+TEST(RunEnds, AreFoundInWhicheverPartOfARowShowsThePost) {
+    // Before the right half of the lower rows there is something; the left edge is free.
+    DrawnPost scene = small_scene();
+    const Post corners = scene.found();
+    const double middle = 0.5 * (corners.left_top.x() + corners.right_top.x());
+    scene.before = [&](double x, double y) {
+        return y > 0.5 * scene.camera.height && x > middle && x < middle + 30.0
+                   ? std::optional<Levels>(Levels(40, 40, 40))
+                   : std::nullopt;
+    };
+    const auto ends = look(scene, silhouette_of(scene, 0.0, 0.0));
+    EXPECT_GT(ends[0].here(), 60);
+    EXPECT_LT(ends[1].here(), ends[0].here());
+    EXPECT_GT(ends[1].inside().rows, 15);
 }
 
 }  // namespace

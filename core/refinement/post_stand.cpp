@@ -1,0 +1,61 @@
+#include "core/refinement/post_stand.h"
+
+#include "core/refinement/pixel_rays.h"
+
+#include <cmath>
+
+namespace goalmouth {
+namespace {
+
+/// Slope along the axis of what the post's middle shows in a row.
+double slope_in_row(const PostSilhouette& post, const Intrinsics& camera, double row) {
+    const auto middle = project(camera, post.ahead);
+    PixelRays rays(camera);
+    const RowRay ray = rays.crossing(post.right, middle ? middle->x() : camera.cx, row);
+    return ray.ray.dot(post.up) / ray.ray.dot(post.ahead);
+}
+
+}  // namespace
+
+std::optional<double> PostStand::crossbar_row(double wider) const {
+    if (!height && !foot) return std::nullopt;
+    const double so_far = distance / wider;
+    const double from = height ? -*height / so_far : *foot;
+    const auto pixel = project(camera, post.ahead + (from + (goal_height - 3.0 * radius) / so_far) * post.up);
+    return pixel ? std::optional(pixel->y()) : std::nullopt;
+}
+
+bool PostStand::reaches(double wider) const {
+    if (!top || (!height && !foot)) return false;
+    constexpr double sure = 2.0, roughly = 0.05;
+    const double so_far = distance / wider;
+    const double from = height ? -*height / so_far : *foot;
+    const double length = (goal_height + radius) / so_far;
+    return std::abs(*top - from - length) < sure * (height ? sigma : 0.0) + roughly * length;
+}
+
+PostStand post_stand(const PostSilhouette& post, const PostExtent& extent,
+                     const std::optional<CameraStance>& stance, double lean_sigma, const Intrinsics& camera,
+                     const Field& field) {
+    PostStand stand;
+    stand.camera = camera;
+    stand.post = post;
+    stand.radius = 0.5 * field.post_diameter;
+    stand.distance = stand.radius / std::sin(post.half_angle);
+    stand.goal_height = field.goal_height;
+    const double seen = slope_in_row(post, camera, extent.last_row);
+    if (extent.top_seen) stand.top = slope_in_row(post, camera, extent.first_row);
+    if (extent.base_seen) stand.foot = seen;
+    if (!stance) return stand;
+    stand.height = stance->height;
+    const double below = -stance->height / stand.distance;
+    stand.sigma =
+        std::hypot(lean_sigma * (1.0 + below * below), std::sqrt(stance->variance) / stand.distance);
+    constexpr double sure = 4.0, roughly = 0.1;  // sigmas; of the slope: what the sigmas leave out
+    // The front of its foot is nearer than its axis by the radius.
+    const double lowest = below * stand.distance / (stand.distance - stand.radius);
+    stand.sinks = seen < lowest * (1.0 + roughly) - sure * stand.sigma;
+    return stand;
+}
+
+}  // namespace goalmouth
