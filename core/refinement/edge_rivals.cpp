@@ -120,6 +120,7 @@ RivalVerdict judge_rivals(YuyvView image, const RunEnds& ends, int outwards, con
     const Judge judge(image, ends, outwards, blur);
     const auto move_to = [&](const RunEnds::Place& place) {
         verdict.moved = place;
+        verdict.undecided = place.rows;  // until it is
         std::vector<RunEnd> shown;
         for (const RunEnd& row : ends.rows)
             if (judge.ends_at(row, place)) shown.push_back(row);

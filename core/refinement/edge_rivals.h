@@ -21,7 +21,7 @@ struct RivalVerdict {
     std::optional<RunEnd> at;             // if moved, in the middle one of the rows that show it
     std::vector<int> left_out;            // if moved, the picture's rows that say nothing of it
     int here = 0;                         // rows that end at the edge
-    int undecided = 0;  // rows that end at another place, and it cannot be told which is the edge
+    int undecided = 0;                    // rows that end at another place, which is or may be the edge's
 
     double rival() const { return undecided / (here > 0 ? static_cast<double>(here) : 1.0); }
 };
