@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace goalmouth {
 namespace {
 
-constexpr int lowest = 8;                       // px: rows from the foot up
+constexpr int lowest = 8;                       // px, from the foot up, or
+constexpr std::size_t fewest = 4;               // rows
 constexpr int below_first = 4, below_rows = 4;  // px: from there on below it, so many rows
 constexpr int least_rows = 2;
 constexpr double beside = 4.0;  // px
@@ -54,8 +56,9 @@ bool ends_on_ground(YuyvView image, const std::vector<LinePoint>& edge, int outw
     if (!(below.tail<2>().norm() > least_chroma)) return false;
     const double clear = 2.5 * blur + 1.5;
     int rows = 0;
-    for (const LinePoint& point : edge) {
-        if (point.y < foot.y - lowest) continue;
+    for (std::size_t i = 0; i < edge.size(); ++i) {
+        const LinePoint& point = edge[i];
+        if (point.y < foot.y - lowest && i + fewest < edge.size()) continue;
         Mean outside(image);
         if (!outside.add(point.y, point.x + outwards * clear, point.x + outwards * (clear + beside)))
             continue;

@@ -11,7 +11,8 @@ namespace goalmouth {
 ///
 /// What stands before a post stands nearer, and its own foot is lower in the picture. So where, beside the
 /// lowest rows of an edge, there is the ground that is below them as well, nothing stands before it.
-/// `edge`: its rows, from the uppermost down. `width` [px]: of the post. Only ground that has a colour tells.
+/// `edge`: some of its rows, from the uppermost down. `width` [px]: of the post. Only ground that has a
+/// colour tells.
 bool ends_on_ground(YuyvView image, const std::vector<LinePoint>& edge, int outwards, double width,
                     double blur);
 

@@ -1,5 +1,7 @@
 #include "core/refinement/post_extent.h"
 
+#include "core/refinement/axis_slope.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -88,18 +90,6 @@ int first_shown(Follower& follower, int start, int end) {
     return end;
 }
 
-/// Row of the line of sight at a slope along the axis in the post's middle plane.
-double row_of_slope(const PostSilhouette& post, const Intrinsics& camera, double slope, double otherwise) {
-    const auto pixel = project(camera, post.ahead + slope * post.up);
-    constexpr double far = 1e6;  // px, beyond every picture
-    return pixel && std::abs(pixel->y()) < far ? pixel->y() : otherwise;
-}
-
-double slope_in_row(const PostSilhouette& post, const Intrinsics& camera, PixelRays& rays, double row) {
-    const RowRay ray = rays.crossing(post.right, camera.cx, row);
-    return ray.ray.dot(post.up) / ray.ray.dot(post.ahead);
-}
-
 }  // namespace
 
 PostExtent find_extent(YuyvView image, const PostSilhouette& post, const PostColour& colour,
@@ -126,8 +116,7 @@ PostExtent find_extent(YuyvView image, const PostSilhouette& post, const PostCol
     constexpr double blur = 1.0;  // px
     PixelRays rays(camera);
     const auto edge_end = [&](int row) {
-        const double slope = slope_in_row(post, camera, rays, row);
-        return row_of_slope(post, camera, shorter * slope, row);
+        return row_of_slope(post, camera, shorter * slope_in_row(post, camera, rays, row)).value_or(row);
     };
     if (extent.top_seen)
         extent.first_edge_row = std::max(first, static_cast<int>(std::ceil(edge_end(first) + blur)));

@@ -1,28 +1,15 @@
 #include "core/refinement/post_stand.h"
 
-#include "core/refinement/pixel_rays.h"
+#include "core/refinement/axis_slope.h"
 
 #include <cmath>
 
 namespace goalmouth {
-namespace {
-
-/// Slope along the axis of what the post's middle shows in a row.
-double slope_in_row(const PostSilhouette& post, const Intrinsics& camera, double row) {
-    const auto middle = project(camera, post.ahead);
-    PixelRays rays(camera);
-    const RowRay ray = rays.crossing(post.right, middle ? middle->x() : camera.cx, row);
-    return ray.ray.dot(post.up) / ray.ray.dot(post.ahead);
-}
-
-}  // namespace
-
 std::optional<double> PostStand::crossbar_row(double wider) const {
     if (!height && !foot) return std::nullopt;
     const double so_far = distance / wider;
     const double from = height ? -*height / so_far : *foot;
-    const auto pixel = project(camera, post.ahead + (from + (goal_height - 3.0 * radius) / so_far) * post.up);
-    return pixel ? std::optional(pixel->y()) : std::nullopt;
+    return row_of_slope(post, camera, from + (goal_height - 3.0 * radius) / so_far);
 }
 
 bool PostStand::reaches(double wider) const {
@@ -43,8 +30,9 @@ PostStand post_stand(const PostSilhouette& post, const PostExtent& extent,
     stand.radius = 0.5 * field.post_diameter;
     stand.distance = stand.radius / std::sin(post.half_angle);
     stand.goal_height = field.goal_height;
-    const double seen = slope_in_row(post, camera, extent.last_row);
-    if (extent.top_seen) stand.top = slope_in_row(post, camera, extent.first_row);
+    PixelRays rays(camera);
+    const double seen = slope_in_row(post, camera, rays, extent.last_row);
+    if (extent.top_seen) stand.top = slope_in_row(post, camera, rays, extent.first_row);
     if (extent.base_seen) stand.foot = seen;
     if (!stance) return stand;
     stand.height = stance->height;

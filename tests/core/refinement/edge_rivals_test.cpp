@@ -67,17 +67,6 @@ TEST(EdgeRivals, GroundBesideTheFootTellsWhereNoLineDoes) {
     EXPECT_NEAR(refined.post.distance_m, goal.scene.distance, 0.03);
 }
 
-TEST(EdgeRivals, SideOfWhatHidesMostOfAPostIsNotItsEdge) {
-    for (const double share : {0.45, 0.55}) {
-        Goal goal;
-        goal.stand_before(share, 10.0);
-        const double width = goal.edges.right(100.0) - goal.edges.left(100.0);
-        const RefinedPost refined = goal.refine(10.0 - width);
-        ASSERT_TRUE(refined.post.has(post_flag::refined)) << share << refined.reason;
-        EXPECT_NEAR(refined.post.distance_m, goal.scene.distance, 0.03) << share;
-    }
-}
-
 TEST(EdgeRivals, WhatHidesTheFootDoesNotMakeThePostNarrow) {
     for (const double share : {0.6, 0.75}) {
         Goal goal;
@@ -113,6 +102,15 @@ TEST(FootGround, IsBesideAnEdgeThatComesDownToTheFoot) {
         EXPECT_EQ(ends_on_ground(image.view(), edge, 1, hidden ? 9.0 : 18.0, 0.85), !hidden);
     }
     EXPECT_FALSE(ends_on_ground(Goal().scene.draw().view(), {}, 1, 18.0, 0.85));
+}
+
+TEST(FootGround, IsSeenInAFewOfALargePicturesRows) {
+    const Goal goal;
+    const YuyvImage image = goal.scene.draw();
+    std::vector<LinePoint> edge;
+    const int foot = static_cast<int>(goal.edges.row(1.0));
+    for (int y = foot - 54; y <= foot; y += 9) edge.push_back({y, goal.edges.right(y)});
+    EXPECT_TRUE(ends_on_ground(image.view(), edge, 1, 18.0, 0.85));
 }
 
 TEST(FootGround, IsNotToldFromGroundWithoutColour) {
