@@ -131,6 +131,15 @@ RivalVerdict judge_rivals(YuyvView image, const RunEnds& ends, int outwards, con
                 for (int k = 0; k < ends.step; ++k) verdict.left_out.push_back(row.y + k);
     };
 
+    // A nearer, wider post of which the colour ends at its top where this one's would go on above it.
+    for (const RunEnds::Place& place : {ends.outside(), ends.far_outside()}) {
+        const double wider = (judge.width() + place.beyond) / judge.width();
+        if (stand.overtops && judge.counts(place, verdict.here) && stand.reaches(wider)) {
+            move_to(place);
+            return verdict;
+        }
+    }
+
     // Nearer by, a wide blur or a colour that is not quite the post's may do it, in any row.
     const auto doubtful = [&](const RunEnds::Place& place) {
         const double away = std::abs(place.beyond);
@@ -168,6 +177,11 @@ RivalVerdict judge_rivals(YuyvView image, const RunEnds& ends, int outwards, con
             move_to(outside);
         else if (!line || line->chi2 <= is_line || line->sigma > vaguest_line)
             verdict.undecided += doubtful(outside);
+    }
+    const RunEnds::Place far_out = ends.far_outside();
+    if (!verdict.moved && judge.counts(far_out, verdict.here)) {
+        const auto line = judge.line_at_edge(far_out);
+        if (!line || line->chi2 <= is_line || line->sigma > vaguest_line) verdict.undecided += far_out.rows;
     }
     return verdict;
 }

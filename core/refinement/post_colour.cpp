@@ -13,7 +13,9 @@ constexpr float ratio_reach = 0.09F;   // of the post's own colour about its com
 constexpr double black_sigma = 3.0;    // luma, of black_level
 constexpr double slope_sigma = 0.004;  // of chroma per luma, beside black's
 constexpr double clipped_sigma = 0.3;  // the same where a channel is clipped: the others go on growing
-constexpr float brightest = 250.0F;    // of red, green, blue from where on they may be
+// Of the post's luma, as levels and as light; a side in shadow is hardly darker.
+constexpr double shade_level = 0.3, shade_light = 0.07;
+constexpr float brightest = 250.0F;  // of red, green, blue from where on they may be
 
 /// BT.601, full range.
 float brightest_channel(const PairColour& z) {
@@ -142,11 +144,13 @@ bool PostColourEstimator::estimate(YuyvView image, const RoughOutline& outline,
     colour.noise = noise.cast<float>();
     colour.contrast = contrast_matrix(colour.noise, colour.shade);
 
+    const double shade = response == CameraResponse::linear ? shade_level : shade_light;
     float spread = 0.0F;
     for (const Sample& s : samples_) {
         if ((s.ratio - centre).squaredNorm() >= reach2) continue;
-        spread += colour.difference(s.mean);
+        spread += (s.mean - colour.mean).dot(colour.contrast * (s.mean - colour.mean));
     }
+    colour.darkest = static_cast<float>(black + shade * (mean[0] - black));
     colour.spread = std::max(1.0F, spread / static_cast<float>(count));  // a mean of two rows: half the noise
     return true;
 }

@@ -34,17 +34,21 @@ struct RoughOutline {
 /// The weights that tell a background at offset e from the post best are w = M·e. Grey posts have d =
 /// (1,0,0): M then leaves chroma alone.
 struct PostColour {
+    static constexpr float unlike = 1e9F;
+
     CameraResponse response = CameraResponse::linear;  // what pixels are read as, here and compared with it
     PairColour mean = PairColour::Zero();
     Eigen::Vector3f shade = Eigen::Vector3f::UnitX();        // d, first element 1
     Eigen::Matrix3f noise = Eigen::Matrix3f::Identity();     // Σ of a pair
     Eigen::Matrix3f contrast = Eigen::Matrix3f::Identity();  // M
+    float darkest = 0.0F;                                    // luma: what is darker may be of any colour
     float spread = 1.0F;  // of the post's own pixels: mean of ½·eᵀMe; 1 with nothing but noise
     int samples = 0;      // pairs of that colour
     int looked_at = 0;    // pairs
 
-    /// eᵀMe of a colour.
+    /// eᵀMe of a colour; `unlike` of one that is too dark to tell: black lies on every shade's line.
     float difference(const PairColour& colour) const {
+        if (colour[0] < darkest) return unlike;
         const Eigen::Vector3f e = colour - mean;
         return e.dot(contrast * e);
     }

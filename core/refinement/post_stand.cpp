@@ -42,6 +42,8 @@ PostStand post_stand(const PostSilhouette& post, const PostExtent& extent,
     constexpr double sure = 4.0, roughly = 0.1;  // sigmas; of the slope: what the sigmas leave out
     // The front of its foot is nearer than its axis by the radius.
     const double lowest = below * stand.distance / (stand.distance - stand.radius);
+    const double highest = (stand.goal_height + stand.radius - stance->height) / stand.distance;
+    stand.overtops = stand.top && *stand.top > highest + roughly * (highest - below) + sure * stand.sigma;
     stand.sinks = seen < lowest * (1.0 + roughly) - sure * stand.sigma;
     return stand;
 }

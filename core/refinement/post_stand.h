@@ -18,6 +18,9 @@ struct PostStand {
     /// Whether its colour ends at the top where a silhouette so many times as wide would.
     bool reaches(double wider) const;
 
+    /// Its colour goes on farther up than a post so far away can, whatever the camera's pose is: above that
+    /// stands something else of its colour, or it is nearer, and wider.
+    bool overtops = false;
     /// Its colour goes on farther down than a post so far away can, whatever the camera's pose is within its
     /// errors: it is nearer, and wider, than that.
     bool sinks = false;

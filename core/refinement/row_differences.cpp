@@ -72,7 +72,9 @@ void row_differences(const std::uint8_t* upper, const std::uint8_t* lower, std::
         const auto wu = three(y, u, v, m(1, 0), m(1, 1), m(1, 2));
         const auto wv = three(y, u, v, m(2, 0), m(2, 1), m(2, 2));
         const auto all = hn::Add(hn::Mul(y, wy), hn::Add(hn::Mul(u, wu), hn::Mul(v, wv)));
-        hn::StoreU(all, d, differences.difference.data() + at);
+        const auto dark = hn::Lt(hn::Mul(luma, hn::Set(d, 0.25F)), hn::Set(d, colour.darkest));
+        hn::StoreU(hn::IfThenElse(dark, hn::Set(d, PostColour::unlike), all), d,
+                   differences.difference.data() + at);
     }
 }
 

@@ -60,13 +60,18 @@ RunEnds::Place RunEnds::inside() const {
 }
 
 RunEnds::Place RunEnds::outside() const {
-    return place_between(rows, tolerance, infinity, spread);
+    return place_between(rows, tolerance, near_by, spread);
+}
+
+RunEnds::Place RunEnds::far_outside() const {
+    return place_between(rows, near_by, infinity, spread);
 }
 
 std::array<RunEnds, 2> run_ends(YuyvView image, const PostSilhouette& post, const PostColour& colour,
                                 const Intrinsics& camera, const PostExtent& extent, double blur) {
     constexpr int most_rows = 100;
-    constexpr double beyond = 6.0;  // px, and a width: how far outside an edge
+    constexpr double near_by = 6.0;  // px, and a width: how far outside an edge
+    constexpr double widths_beyond = 4.0;
     // From one edge: where a row may show the post.
     constexpr std::array<double, 5> depths = {0.3, 0.4, 0.5, 0.6, 0.7};
     const std::array<Eigen::Vector3d, 2> planes = {post.plane(OutlineSide::left),
@@ -98,7 +103,7 @@ std::array<RunEnds, 2> run_ends(YuyvView image, const PostSilhouette& post, cons
             });
             if (depth == depths.end()) continue;
             last_shown = std::max(last_shown, y);
-            const int last = PairRow::pair_at(edge[side] + outwards * (width + beyond));
+            const int last = PairRow::pair_at(edge[side] + outwards * (near_by + widths_beyond * width));
             // In strides as long as the post's colour goes on, then pair by pair. What is narrower than a
             // stride, a twelfth of the post, does not end it.
             int pair = PairRow::pair_at(edge[side] - outwards * *depth * width);
@@ -114,6 +119,7 @@ std::array<RunEnds, 2> run_ends(YuyvView image, const PostSilhouette& post, cons
     for (RunEnds& side : ends) {
         side.step = step;
         side.spread = 0.75 + 0.5 * blur;
+        side.near_by = near_by + widths / std::max(1.0, rows);
         side.tolerance = std::max(1.5 + 0.5 * blur, 0.08 * widths / std::max(1.0, rows));
     }
     return ends;

@@ -77,6 +77,19 @@ TEST(EdgeRivals, WhatHidesTheFootDoesNotMakeThePostNarrow) {
     }
 }
 
+TEST(EdgeRivals, WhatIsAsHighAsANearerPostIsNoFarOneThatGoesOnAboveItsTop) {
+    // All but a strip of the lower rows is hidden, and the strip is what a detector found.
+    Goal goal;
+    goal.scene.length = Field().goal_height + goal.scene.radius;
+    goal.scene.pitch = 0.0;  // its top is in the picture
+    goal.edges.at = goal.scene.found();
+    goal.border = goal.edges.row(0.94);
+    goal.stand_before(0.35, 5.0);
+    const RefinedPost refined = goal.refine(-13.0);
+    ASSERT_TRUE(refined.post.has(post_flag::refined)) << refined.reason;
+    EXPECT_NEAR(refined.post.distance_m, goal.scene.distance, 0.05);
+}
+
 TEST(EdgeRivals, PlainPostHasNone) {
     const Goal goal;
     const YuyvImage image = goal.scene.draw();

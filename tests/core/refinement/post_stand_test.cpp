@@ -65,6 +65,16 @@ TEST(PostStand, ThatIsFarTooNarrowSinks) {
     EXPECT_FALSE(stand_of(seen(2.0), true).sinks) << "its foot may be hidden";
 }
 
+TEST(PostStand, ThatIsFarTooNarrowOvertopsAPostSoFarAway) {
+    EXPECT_TRUE(stand_of(seen(0.3), true).overtops);
+    EXPECT_FALSE(stand_of(seen(0.3), false).overtops) << "nothing says how high the camera is";
+    EXPECT_FALSE(stand_of(seen(1.0), true).overtops);
+    EXPECT_FALSE(stand_of(seen(2.0), true).overtops) << "its top may be hidden";
+    Seen cut = seen(0.3);
+    cut.extent.top_seen = false;
+    EXPECT_FALSE(stand_of(cut, true).overtops) << "where its colour ends is not seen";
+}
+
 TEST(PostStand, OfAPostCutAtBothEndsKnowsNothingWithoutAPose) {
     Seen s = seen(1.0);
     s.extent.top_seen = s.extent.base_seen = false;

@@ -65,6 +65,25 @@ TEST(RunEnds, LieBeyondWhatIsTooNarrow) {
     EXPECT_NEAR(ends[1].outside().beyond, 6.0, 1.0);
 }
 
+TEST(RunEnds, LieFarBeyondWhatIsHardlyAQuarterOfIt) {
+    const DrawnPost scene = small_scene();
+    const auto ends = look(scene, silhouette_of(scene, 0.0, -14.0));
+    EXPECT_LT(ends[1].outside().rows, 6);
+    EXPECT_GT(ends[1].far_outside().rows, 40);
+    EXPECT_NEAR(ends[1].far_outside().beyond, 14.0, 1.0);
+    EXPECT_LT(ends[0].far_outside().rows, 6);
+}
+
+TEST(RunEnds, AreWhereBlackBegins) {
+    DrawnPost scene = small_scene();
+    scene.behind = [](double, double) { return Levels(6, 6, 8); };
+    for (const RunEnds& ends : look(scene, silhouette_of(scene, 4.0, 4.0))) {
+        EXPECT_LT(ends.here(), 6);
+        EXPECT_GT(ends.inside().rows, 40);
+        EXPECT_NEAR(ends.inside().beyond, -3.0, 1.5);  // the edge's blur is the post's until it is dark
+    }
+}
+
 TEST(RunEnds, OfAThingOfThePostsColourBehindSomeRowsAreFewer) {
     DrawnPost scene = small_scene();
     const Post corners = scene.found();

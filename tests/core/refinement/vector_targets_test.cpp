@@ -167,6 +167,7 @@ TEST(RefinementVectors, DifferencesOfARowArePostColours) {
     PostColour colour;
     colour.mean = {90.0F, -40.0F, 12.0F};
     colour.contrast << 0.5F, 0.1F, -0.2F, 0.1F, 0.7F, 0.05F, -0.2F, 0.05F, 0.3F;
+    colour.darkest = 60.0F;
     for (const std::size_t pairs : {0UL, 1UL, 3UL, 16UL, 21UL, RowDifferences::most}) {
         // Vectors of their very length: what is read beyond them a sanitizer sees.
         const std::vector<std::uint8_t> upper = drawn_bytes(4 * pairs, 1), lower = drawn_bytes(4 * pairs, 2);
