@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <hwy/cache_control.h>
+#include <cstdint>
 #include <utility>
 
 namespace goalmouth {
@@ -39,15 +39,17 @@ std::optional<RoughOutline> rough_outline(const Post& post, YuyvView image) {
     return outline;
 }
 
-/// Asks memory for the pixels about both edges, all at once: waiting for one row after the other would take
-/// longer than working on them.
+/// Has memory bring the pixels about both edges, all at once: waiting for one row after the other would take
+/// longer than working on them. By loads: each row of a large picture lies in a page of its own, and
+/// processors drop prefetches from pages whose place they would have to look up first.
 void fetch_edges(YuyvView image, const RoughOutline& outline) {
     constexpr int line = 32, reach = 16;  // px: of a cache line, to either side of an edge
     const auto fetch = [&](int y, double edge) {
+        const volatile std::uint8_t* const row = image.row(y);  // what is not used is loaded all the same
         const int middle = static_cast<int>(std::clamp(edge, 0.0, image.width - 1.0));
         const int last = std::min(image.width - 1, middle + reach);
-        for (int x = std::max(0, middle - reach); x <= last; x += line) hwy::Prefetch(image.row(y) + 2 * x);
-        hwy::Prefetch(image.row(y) + 2 * last);
+        for (int x = std::max(0, middle - reach); x <= last; x += line) static_cast<void>(row[2 * x]);
+        static_cast<void>(row[2 * last]);
     };
     for (int y = outline.first_row; y <= outline.last_row; ++y) {
         fetch(y, outline.left(y));
