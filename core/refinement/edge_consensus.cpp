@@ -1,8 +1,9 @@
 #include "core/refinement/edge_consensus.h"
 
+#include "core/refinement/row_purity.h"
+
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace goalmouth {
 namespace {
@@ -30,28 +31,30 @@ double unlike(const EdgeRows& rows, std::size_t a, std::size_t b) {
     return sum;
 }
 
-float quantile(std::vector<float>& values, double share) {
-    if (values.empty()) return 0.0F;
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
-
 }  // namespace
 
 void EdgeConsensus::split(const EdgeRows& rows, std::vector<Piece>& pieces) {
     pieces.clear();
     // What backgrounds usually change from row to row is noise.
-    sorted_.clear();
-    for (std::size_t i = 0; i + 1 < rows.count; ++i)
-        if (counts(rows, i) && counts(rows, i + 1))
-            sorted_.push_back(static_cast<float>(unlike(rows, i, i + 1)));
-    const double usual = 4.0 * std::sqrt(static_cast<double>(quantile(sorted_, 0.5))) + 2.0;
+    counting_.clear();
+    for (std::size_t i = 0; i < rows.count; ++i)
+        if (counts(rows, i)) counting_.push_back(i);
+    changes_.assign(counting_.size(), 0.0);
+    changes_of_neighbours_.clear();
+    for (std::size_t n = 1; n < counting_.size(); ++n) {
+        changes_[n] = unlike(rows, counting_[n], counting_[n - 1]);
+        if (counting_[n] == counting_[n - 1] + 1)
+            changes_of_neighbours_.push_back(static_cast<float>(changes_[n]));
+    }
+    const std::size_t neighbours = changes_of_neighbours_.size();
+    changes_of_neighbours_.resize(neighbours + EdgeRows::block);  // read by vectors
+    const float middle =
+        neighbours > 0 ? nth_smallest(changes_of_neighbours_.data(), neighbours, neighbours / 2) : 0.0F;
+    const double usual = 4.0 * std::sqrt(static_cast<double>(middle)) + 2.0;
 
     std::size_t run_start = 0;  // its first piece
     Piece piece;
     double weights = 0.0;
-    std::optional<std::size_t> before;
     const auto end_piece = [&] {
         if (piece.rows > 0.0) {
             piece.place /= weights;
@@ -75,10 +78,10 @@ void EdgeConsensus::split(const EdgeRows& rows, std::vector<Piece>& pieces) {
         }
         run_start = pieces.size();
     };
-    for (std::size_t i = 0; i < rows.count; ++i) {
-        if (!counts(rows, i)) continue;
+    for (std::size_t n = 0; n < counting_.size(); ++n) {
+        const std::size_t i = counting_[n];
         const double variance = rows.variance(i), offset = static_cast<double>(rows.measured.offset[i]);
-        if (before && unlike(rows, i, *before) > usual * usual) end_run();
+        if (changes_[n] > usual * usual) end_run();
         if (piece.rows > 0.0) {
             // Where the edge jumps something else begins, whatever the background looks like.
             const double jump = offset - piece.place / weights;
@@ -92,7 +95,6 @@ void EdgeConsensus::split(const EdgeRows& rows, std::vector<Piece>& pieces) {
         piece.place += offset / variance;
         piece.turn += static_cast<double>(rows.turn[i]) / variance;
         weights += 1.0 / variance;
-        before = i;
     }
     end_run();
 }
