@@ -111,10 +111,20 @@ double PostRefiner::chroma_shift_of(YuyvView image, const Intrinsics& camera) co
 CameraResponse PostRefiner::response_of(YuyvView image, const Intrinsics& camera) const {
     if (parameters_.response != "auto")
         return parameters_.response == "srgb" ? CameraResponse::srgb : CameraResponse::linear;
-    ResponseEvidence evidence;
+    std::size_t left = 0;
     for (const Start& start : starts_)
-        if (start.problem.empty())
-            evidence += response_evidence(image, start.outline, start.colour, camera, start.edges);
+        for (const auto& edge : start.edges) left += start.problem.empty() && edge ? 1 : 0;
+    ResponseEvidence evidence;
+    for (const Start& start : starts_) {
+        for (std::size_t side = 0; side < 2; ++side) {
+            if (!start.problem.empty() || !start.edges[side]) continue;
+            // Mostly the first edges say enough.
+            if (!evidence.open(left--)) return CameraResponse::linear;
+            CoarseEdgeFinder::Edges one;
+            one[side] = start.edges[side];
+            evidence += response_evidence(image, start.outline, start.colour, camera, one);
+        }
+    }
     return evidence.response();
 }
 
