@@ -178,7 +178,7 @@ std::optional<PostEndFinder::Step> PostEndFinder::fit_step(double start_blur,
         step.blur *= std::exp(std::clamp(change[1], -0.3, 0.3));
         step.inner += change[2];
         step.outer += change[3];
-        constexpr double still = 1e-3;  // px
+        constexpr double still = 0.01;  // px; the step after that moves it by far less than the floor
         if (std::abs(change[0]) < still) break;
     }
     if (!(std::abs(step.blur / start_blur) < 3.0) || !(step.blur > 0.3)) return std::nullopt;

@@ -149,7 +149,7 @@ void SilhouetteFitter::smooth(const SilhouetteFit& state) {
 
 void SilhouetteFitter::measure_apart(const SilhouetteFit& state, std::size_t side) {
     constexpr float apart = 0.4F, reach = 3.0F;  // px
-    constexpr int rounds = 3;
+    constexpr int rounds = 2;
     EdgeRows& rows = rows_[side];
     const auto is_apart = [&](std::size_t i) { return std::abs(rows.measured.offset[i]) > apart; };
     apart_blocks_.assign(rows.blocks(), false);
