@@ -135,27 +135,28 @@ EdgeConsensus::Result EdgeConsensus::find(std::array<EdgeRows, 2>& rows, double 
             columns_[side].share[k] = static_cast<float>(p.share);
         }
     }
-    evidence_.assign(std::max(pieces_[0].size(), pieces_[1].size()));
+    for (std::size_t side = 0; side < 2; ++side) evidence_[side].assign(pieces_[side].size());
     constexpr double most = 3.0, step = 0.15;  // px, at the edges' ends
     double best = -1e9, best_turn = 0.0;
     std::array<double, 2> place{};
     for (double end = -most; end <= most + 1e-9; end += step) {
         const double turn = end / longest;
         double sum = 0.0;
-        std::array<double, 2> at{};
-        for (std::size_t side = 0; side < 2; ++side) {
-            evidence_of_places(columns_[side], static_cast<float>(turn), evidence_);
-            float most_here = 0.0F;
-            for (std::size_t k = 0; k < pieces_[side].size(); ++k) {
-                if (!(evidence_[k] > most_here)) continue;
-                most_here = evidence_[k];
-                at[side] = pieces_[side][k].place - turn * pieces_[side][k].turn;
-            }
-            sum += static_cast<double>(most_here);
-        }
+        for (std::size_t side = 0; side < 2; ++side)
+            sum += static_cast<double>(
+                evidence_of_places(columns_[side], static_cast<float>(turn), evidence_[side]));
         const double leaves = (roll + turn) / sigma;
         sum -= 0.5 * leaves * leaves + 1e-3 * std::abs(end);  // of equals the least
-        if (sum > best) best = sum, best_turn = turn, place = at;
+        if (!(sum > best)) continue;
+        best = sum, best_turn = turn, place = {};
+        for (std::size_t side = 0; side < 2; ++side) {
+            float most_here = 0.0F;
+            for (std::size_t k = 0; k < pieces_[side].size(); ++k) {
+                if (!(evidence_[side][k] > most_here)) continue;
+                most_here = evidence_[side][k];
+                place[side] = pieces_[side][k].place - turn * pieces_[side][k].turn;
+            }
+        }
     }
     for (std::size_t side = 0; side < 2; ++side) {
         result.evidence[side] = evidence(pieces_[side], place[side], best_turn);

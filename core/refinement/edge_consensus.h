@@ -40,7 +40,7 @@ class EdgeConsensus {
 
     std::array<std::vector<Piece>, 2> pieces_;
     std::array<EdgePieceColumns, 2> columns_;
-    RowColumn<float> evidence_;
+    std::array<RowColumn<float>, 2> evidence_;
     // Of a side:
     std::vector<std::size_t> counting_;  // rows
     std::vector<double> changes_;        // of the background, from each one's forerunner to it

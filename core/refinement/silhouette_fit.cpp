@@ -240,7 +240,7 @@ std::optional<SilhouetteFitter::Stepped> SilhouetteFitter::step_once(const Task&
 
 bool SilhouetteFitter::left_windows(const RowLayout& layout, const SilhouetteFit& state) {
     constexpr double most = 1.0;  // px
-    if (3.0 * state.blur > layout.outer) return true;
+    if (2.5 * state.blur > layout.outer) return true;
     for (std::size_t side = 0; side < 2; ++side) {
         if (!edges_[side]) continue;
         EdgeRows& rows = rows_[side];
