@@ -149,7 +149,7 @@ void SilhouetteFitter::smooth(const SilhouetteFit& state) {
 
 void SilhouetteFitter::measure_apart(const SilhouetteFit& state, std::size_t side) {
     constexpr float apart = 0.4F, reach = 3.0F;  // px
-    constexpr int rounds = 2;
+    constexpr int rounds = 3;
     EdgeRows& rows = rows_[side];
     const auto is_apart = [&](std::size_t i) { return std::abs(rows.measured.offset[i]) > apart; };
     apart_blocks_.assign(rows.blocks(), false);
@@ -276,7 +276,7 @@ bool SilhouetteFitter::settle(const Task& task, RowLayout& layout, SilhouetteFit
             state.consensus =
                 consensus_.find(rows_, roll_from(task.prior.up, state.post), task.prior.roll_sigma);
         }
-        if (iteration <= settled) smooth(state);
+        if (iteration < settled) smooth(state);
 
         const auto stepped = step_once(task, state);
         if (!stepped) return false;
