@@ -75,26 +75,29 @@ void EdgeConsensus::split(const EdgeRows& rows, std::vector<Piece>& pieces) {
         for (std::size_t k = run_start; k < pieces.size(); ++k) {
             pieces[k].share = told * pieces[k].rows / (n + transition);
             pieces[k].variance += unshared * unshared;
+            pieces[k].per_square = 1.0 / (9.0 * pieces[k].variance);
         }
         run_start = pieces.size();
     };
     for (std::size_t n = 0; n < counting_.size(); ++n) {
         const std::size_t i = counting_[n];
         const double variance = rows.variance(i), offset = static_cast<double>(rows.measured.offset[i]);
+        const double weight = 1.0 / variance;
         if (changes_[n] > usual * usual) end_run();
         if (piece.rows > 0.0) {
             // Where the edge jumps something else begins, whatever the background looks like.
-            const double jump = offset - piece.place / weights;
-            const bool jumps = jump * jump > 16.0 * (variance + 1.0 / weights);
+            const double own_variance = 1.0 / weights;
+            const double jump = offset - piece.place * own_variance;
+            const bool jumps = jump * jump > 16.0 * (variance + own_variance);
             if (jumps) end_run();
         }
         if (piece.rows >= static_cast<double>(longest_piece)) end_piece();
         if (piece.rows == 0.0) piece.first = i;
         piece.last = i;
         piece.rows += 1.0;
-        piece.place += offset / variance;
-        piece.turn += static_cast<double>(rows.turn[i]) / variance;
-        weights += 1.0 / variance;
+        piece.place += offset * weight;
+        piece.turn += static_cast<double>(rows.turn[i]) * weight;
+        weights += weight;
     }
     end_run();
 }
@@ -103,7 +106,7 @@ double EdgeConsensus::evidence(const std::vector<Piece>& pieces, double place, d
     double sum = 0.0;
     for (const Piece& p : pieces) {
         const double miss = p.place - place - turn * p.turn;
-        sum += p.share * std::max(0.0, 1.0 - miss * miss / (9.0 * p.variance));
+        sum += p.share * std::max(0.0, 1.0 - miss * miss * p.per_square);
     }
     return sum;
 }
@@ -131,7 +134,7 @@ EdgeConsensus::Result EdgeConsensus::find(std::array<EdgeRows, 2>& rows, double 
             const Piece& p = pieces_[side][k];
             columns_[side].place[k] = static_cast<float>(p.place);
             columns_[side].turn[k] = static_cast<float>(p.turn);
-            columns_[side].per_square[k] = static_cast<float>(1.0 / (9.0 * p.variance));
+            columns_[side].per_square[k] = static_cast<float>(p.per_square);
             columns_[side].share[k] = static_cast<float>(p.share);
         }
     }

@@ -32,7 +32,9 @@ class EdgeConsensus {
 
   private:
     struct Piece {  // of a run: a few neighbouring rows
-        double place = 0.0, turn = 0.0, variance = 0.0, rows = 0.0, share = 0.0;  // of its run's evidence
+        double place = 0.0, turn = 0.0, variance = 0.0, rows = 0.0;
+        double share = 0.0;       // of its run's evidence
+        double per_square = 0.0;  // one over the square of how far it speaks of a place
         std::size_t first = 0, last = 0;
     };
     void split(const EdgeRows& rows, std::vector<Piece>& pieces);
