@@ -253,7 +253,7 @@ bool SilhouetteFitter::left_windows(const RowLayout& layout, const SilhouetteFit
 
 bool SilhouetteFitter::settle(const Task& task, RowLayout& layout, SilhouetteFit& state) {
     constexpr int most_iterations = 10;
-    constexpr int settled = 3;  // then rows that come and go with the step would keep it from settling
+    constexpr int settled = 4;  // then rows that come and go with the step would keep it from settling
     constexpr int most_readings = 2;
     int readings = 0;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
@@ -264,7 +264,7 @@ bool SilhouetteFitter::settle(const Task& task, RowLayout& layout, SilhouetteFit
             read(task, layout, state);
             ++readings;
         }
-        const bool blur_open = iteration > 0 && iteration <= settled;
+        const bool blur_open = iteration > 0 && iteration < settled;
         measure(state, blur_open);
         const bool ask_all = iteration == 1 || iteration == 2 || (just_read && iteration > 2);
         if (ask_all)
@@ -290,7 +290,7 @@ bool SilhouetteFitter::settle(const Task& task, RowLayout& layout, SilhouetteFit
         // What the step gained, in units of the whole misfit: 0.7 sigma. The next one, which finishes the
         // fit, gains a tenth of that or less.
         constexpr double little = 0.5;
-        if (iteration >= settled && (shift < still || pull.dot(step) < little)) {
+        if (iteration + 1 >= settled && (shift < still || pull.dot(step) < little)) {
             state.converged = true;
             break;
         }
