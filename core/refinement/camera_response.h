@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include <Eigen/Core>
 
@@ -56,12 +57,24 @@ class PairRow {
             for (int pair = first; pair <= last; ++pair) sum += light(pair);
             return;
         }
-        int y = 0, cb = 0, cr = 0;
-        for (int pair = first; pair <= last; ++pair) {
-            const std::uint8_t* p = row_ + 4 * pair;
-            y += p[0] + p[2], cb += p[1] - 128, cr += p[3] - 128;
+        // Both lumas of a pair, and both chromas, as 16 bits each of one number.
+        constexpr int most = 256;  // pairs, of which the sums fit those
+        for (int from = first; from <= last; from += most) {
+            const int to = std::min(last, from + most - 1);
+            std::uint32_t luma = 0, chroma = 0;
+            for (int pair = from; pair <= to; ++pair) {
+                std::uint32_t bytes = 0;
+                std::memcpy(&bytes, row_ + 4 * pair, sizeof(bytes));
+                luma += bytes & 0xff00ffU;
+                chroma += bytes >> 8 & 0xff00ffU;
+            }
+            const int none = 128 * (to - from + 1);
+            const auto lower = [](std::uint32_t sums) { return static_cast<int>(sums & 0xffffU); };
+            const auto upper = [](std::uint32_t sums) { return static_cast<int>(sums >> 16); };
+            sum += PairColour(0.5F * static_cast<float>(lower(luma) + upper(luma)),
+                              static_cast<float>(lower(chroma) - none),
+                              static_cast<float>(upper(chroma) - none));
         }
-        sum += PairColour(0.5F * static_cast<float>(y), static_cast<float>(cb), static_cast<float>(cr));
     }
 
     /// The pair whose middle is nearest to a column [px], inside the row or not; some pair far outside where

@@ -4,7 +4,9 @@
 #include "core/refinement/whole_numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace goalmouth {
@@ -40,17 +42,24 @@ void add_row(const std::uint8_t* row, int width, const EdgeRow& at, const Eigen:
     constexpr int margin = (ChromaLag::most + 3) / 2;  // pairs
     const int first = std::max(margin, whole_above(0.5 * (from - 1.5)));
     const int last = std::min(width / 2 - 2 - margin, whole_below(0.5 * (to - 1.5)));
+    if (first > last) return;
+    // Luma's steps where they go with the edge, backwards from the farthest that any lag asks for.
+    constexpr int lags = 2 * ChromaLag::most + 1, most_pairs = static_cast<int>(reach) + 1;
+    std::array<double, lags + 2 * most_pairs> lumas;
+    const int farthest = 2 * last + 1 + ChromaLag::most;
+    const int count = 2 * (last - first) + lags;
+    for (int i = 0; i < count; ++i) {
+        const std::uint8_t* q = row + 2 * (farthest - i);
+        lumas[static_cast<std::size_t>(i)] = std::max(0, brighter * (q[4] + q[2] - q[0] - q[-2]));
+    }
     for (int pair = first; pair <= last; ++pair) {
         const std::uint8_t* p = row + 4 * pair;
         const float chroma = static_cast<float>(inwards) * (hue.x() * static_cast<float>(p[5] - p[1]) +
                                                             hue.y() * static_cast<float>(p[7] - p[3]));
         if (!(chroma > 0.0F)) continue;
-        for (int lag = -ChromaLag::most; lag <= ChromaLag::most; ++lag) {
-            const std::uint8_t* q = row + 2 * (2 * pair + 1 - lag);
-            const int luma = brighter * (q[4] + q[2] - q[0] - q[-2]);
-            if (luma > 0)
-                steps[static_cast<std::size_t>(lag + ChromaLag::most)] += static_cast<double>(chroma) * luma;
-        }
+        const auto factor = static_cast<double>(chroma);
+        const double* const luma = lumas.data() + 2 * (last - pair);
+        for (std::size_t lag = 0; lag < steps.size(); ++lag) steps[lag] += factor * luma[lag];
     }
 }
 

@@ -1,8 +1,9 @@
 #include "core/refinement/edge_consensus.h"
 
+#include "core/refinement/row_purity.h"
+
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace goalmouth {
 namespace {
@@ -30,28 +31,30 @@ double unlike(const EdgeRows& rows, std::size_t a, std::size_t b) {
     return sum;
 }
 
-float quantile(std::vector<float>& values, double share) {
-    if (values.empty()) return 0.0F;
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
-
 }  // namespace
 
 void EdgeConsensus::split(const EdgeRows& rows, std::vector<Piece>& pieces) {
     pieces.clear();
     // What backgrounds usually change from row to row is noise.
-    sorted_.clear();
-    for (std::size_t i = 0; i + 1 < rows.count; ++i)
-        if (counts(rows, i) && counts(rows, i + 1))
-            sorted_.push_back(static_cast<float>(unlike(rows, i, i + 1)));
-    const double usual = 4.0 * std::sqrt(static_cast<double>(quantile(sorted_, 0.5))) + 2.0;
+    counting_.clear();
+    for (std::size_t i = 0; i < rows.count; ++i)
+        if (counts(rows, i)) counting_.push_back(i);
+    changes_.assign(counting_.size(), 0.0);
+    changes_of_neighbours_.clear();
+    for (std::size_t n = 1; n < counting_.size(); ++n) {
+        changes_[n] = unlike(rows, counting_[n], counting_[n - 1]);
+        if (counting_[n] == counting_[n - 1] + 1)
+            changes_of_neighbours_.push_back(static_cast<float>(changes_[n]));
+    }
+    const std::size_t neighbours = changes_of_neighbours_.size();
+    changes_of_neighbours_.resize(neighbours + EdgeRows::block);  // read by vectors
+    const float middle =
+        neighbours > 0 ? nth_smallest(changes_of_neighbours_.data(), neighbours, neighbours / 2) : 0.0F;
+    const double usual = 4.0 * std::sqrt(static_cast<double>(middle)) + 2.0;
 
     std::size_t run_start = 0;  // its first piece
     Piece piece;
     double weights = 0.0;
-    std::optional<std::size_t> before;
     const auto end_piece = [&] {
         if (piece.rows > 0.0) {
             piece.place /= weights;
@@ -72,27 +75,29 @@ void EdgeConsensus::split(const EdgeRows& rows, std::vector<Piece>& pieces) {
         for (std::size_t k = run_start; k < pieces.size(); ++k) {
             pieces[k].share = told * pieces[k].rows / (n + transition);
             pieces[k].variance += unshared * unshared;
+            pieces[k].per_square = 1.0 / (9.0 * pieces[k].variance);
         }
         run_start = pieces.size();
     };
-    for (std::size_t i = 0; i < rows.count; ++i) {
-        if (!counts(rows, i)) continue;
+    for (std::size_t n = 0; n < counting_.size(); ++n) {
+        const std::size_t i = counting_[n];
         const double variance = rows.variance(i), offset = static_cast<double>(rows.measured.offset[i]);
-        if (before && unlike(rows, i, *before) > usual * usual) end_run();
+        const double weight = 1.0 / variance;
+        if (changes_[n] > usual * usual) end_run();
         if (piece.rows > 0.0) {
             // Where the edge jumps something else begins, whatever the background looks like.
-            const double jump = offset - piece.place / weights;
-            const bool jumps = jump * jump > 16.0 * (variance + 1.0 / weights);
+            const double own_variance = 1.0 / weights;
+            const double jump = offset - piece.place * own_variance;
+            const bool jumps = jump * jump > 16.0 * (variance + own_variance);
             if (jumps) end_run();
         }
         if (piece.rows >= static_cast<double>(longest_piece)) end_piece();
         if (piece.rows == 0.0) piece.first = i;
         piece.last = i;
         piece.rows += 1.0;
-        piece.place += offset / variance;
-        piece.turn += static_cast<double>(rows.turn[i]) / variance;
-        weights += 1.0 / variance;
-        before = i;
+        piece.place += offset * weight;
+        piece.turn += static_cast<double>(rows.turn[i]) * weight;
+        weights += weight;
     }
     end_run();
 }
@@ -101,7 +106,7 @@ double EdgeConsensus::evidence(const std::vector<Piece>& pieces, double place, d
     double sum = 0.0;
     for (const Piece& p : pieces) {
         const double miss = p.place - place - turn * p.turn;
-        sum += p.share * std::max(0.0, 1.0 - miss * miss / (9.0 * p.variance));
+        sum += p.share * std::max(0.0, 1.0 - miss * miss * p.per_square);
     }
     return sum;
 }
@@ -129,31 +134,32 @@ EdgeConsensus::Result EdgeConsensus::find(std::array<EdgeRows, 2>& rows, double 
             const Piece& p = pieces_[side][k];
             columns_[side].place[k] = static_cast<float>(p.place);
             columns_[side].turn[k] = static_cast<float>(p.turn);
-            columns_[side].per_square[k] = static_cast<float>(1.0 / (9.0 * p.variance));
+            columns_[side].per_square[k] = static_cast<float>(p.per_square);
             columns_[side].share[k] = static_cast<float>(p.share);
         }
     }
-    evidence_.assign(std::max(pieces_[0].size(), pieces_[1].size()));
+    for (std::size_t side = 0; side < 2; ++side) evidence_[side].assign(pieces_[side].size());
     constexpr double most = 3.0, step = 0.15;  // px, at the edges' ends
     double best = -1e9, best_turn = 0.0;
     std::array<double, 2> place{};
     for (double end = -most; end <= most + 1e-9; end += step) {
         const double turn = end / longest;
         double sum = 0.0;
-        std::array<double, 2> at{};
-        for (std::size_t side = 0; side < 2; ++side) {
-            evidence_of_places(columns_[side], static_cast<float>(turn), evidence_);
-            float most_here = 0.0F;
-            for (std::size_t k = 0; k < pieces_[side].size(); ++k) {
-                if (!(evidence_[k] > most_here)) continue;
-                most_here = evidence_[k];
-                at[side] = pieces_[side][k].place - turn * pieces_[side][k].turn;
-            }
-            sum += static_cast<double>(most_here);
-        }
+        for (std::size_t side = 0; side < 2; ++side)
+            sum += static_cast<double>(
+                evidence_of_places(columns_[side], static_cast<float>(turn), evidence_[side]));
         const double leaves = (roll + turn) / sigma;
         sum -= 0.5 * leaves * leaves + 1e-3 * std::abs(end);  // of equals the least
-        if (sum > best) best = sum, best_turn = turn, place = at;
+        if (!(sum > best)) continue;
+        best = sum, best_turn = turn, place = {};
+        for (std::size_t side = 0; side < 2; ++side) {
+            float most_here = 0.0F;
+            for (std::size_t k = 0; k < pieces_[side].size(); ++k) {
+                if (!(evidence_[side][k] > most_here)) continue;
+                most_here = evidence_[side][k];
+                place[side] = pieces_[side][k].place - turn * pieces_[side][k].turn;
+            }
+        }
     }
     for (std::size_t side = 0; side < 2; ++side) {
         result.evidence[side] = evidence(pieces_[side], place[side], best_turn);

@@ -32,7 +32,9 @@ class EdgeConsensus {
 
   private:
     struct Piece {  // of a run: a few neighbouring rows
-        double place = 0.0, turn = 0.0, variance = 0.0, rows = 0.0, share = 0.0;  // of its run's evidence
+        double place = 0.0, turn = 0.0, variance = 0.0, rows = 0.0;
+        double share = 0.0;       // of its run's evidence
+        double per_square = 0.0;  // one over the square of how far it speaks of a place
         std::size_t first = 0, last = 0;
     };
     void split(const EdgeRows& rows, std::vector<Piece>& pieces);
@@ -40,8 +42,11 @@ class EdgeConsensus {
 
     std::array<std::vector<Piece>, 2> pieces_;
     std::array<EdgePieceColumns, 2> columns_;
-    RowColumn<float> evidence_;
-    std::vector<float> sorted_;
+    std::array<RowColumn<float>, 2> evidence_;
+    // Of a side:
+    std::vector<std::size_t> counting_;  // rows
+    std::vector<double> changes_;        // of the background, from each one's forerunner to it
+    std::vector<float> changes_of_neighbours_;
 };
 
 }  // namespace goalmouth

@@ -194,7 +194,7 @@ void EdgeRowReader::read_far(YuyvView image, const PostColour& colour, const Row
         EdgeRows& rows = both[side];
         const double outwards = side == 0 ? -1.0 : 1.0;
         for (std::size_t i = 0; i < rows.count; ++i) {
-            if (!rows.seen(i)) continue;
+            if (!(rows.weight[i] > 0.0F)) continue;
             const int first = PairRow::pair_at(rows.first[i]);
             const int last = first + static_cast<int>(rows.pairs[i]) - 1;
             const int top = layout.top(static_cast<int>(i));

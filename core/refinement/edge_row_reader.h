@@ -28,7 +28,7 @@ class EdgeRowReader {
     void read(YuyvView image, const Intrinsics& camera, const PostSilhouette& post, const PostColour& colour,
               const RowLayout& layout, double blur, double least_contrast, std::array<EdgeRows, 2>& rows);
 
-    /// What lies beyond the windows of rows as read last (EdgeRows::far_inner, far_outer).
+    /// What lies beyond the windows of rows as read last (EdgeRows::far_inner, far_outer), where they count.
     void read_far(YuyvView image, const PostColour& colour, const RowLayout& layout,
                   std::array<EdgeRows, 2>& rows) const;
 

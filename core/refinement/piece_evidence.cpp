@@ -15,9 +15,10 @@ namespace goalmouth::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // No fused multiply-add: every kind of vector gives the same numbers.
-void evidence_of_places(const EdgePieceColumns& pieces, float turn, RowColumn<float>& evidence) {
+float evidence_of_places(const EdgePieceColumns& pieces, float turn, RowColumn<float>& evidence) {
     const hn::CappedTag<float, EdgeRows::block> d;
     const auto zero = hn::Zero(d), one = hn::Set(d, 1.0F);
+    auto most = zero;
     for (std::size_t i = 0; i < pieces.count; i += hn::Lanes(d)) {
         const auto at = hn::Sub(hn::LoadU(d, pieces.place.data() + i),
                                 hn::Mul(hn::LoadU(d, pieces.turn.data() + i), hn::Set(d, turn)));
@@ -28,7 +29,9 @@ void evidence_of_places(const EdgePieceColumns& pieces, float turn, RowColumn<fl
             sum = hn::Add(sum, hn::Mul(hn::Set(d, pieces.share[k]), hn::Max(zero, hn::Sub(one, far))));
         }
         hn::StoreU(sum, d, evidence.data() + i);
+        most = hn::Max(most, hn::IfThenElseZero(hn::FirstN(d, pieces.count - i), sum));
     }
+    return hn::GetLane(hn::MaxOfLanes(d, most));
 }
 
 }  // namespace goalmouth::HWY_NAMESPACE
@@ -39,8 +42,8 @@ namespace goalmouth {
 
 HWY_EXPORT(evidence_of_places);
 
-void evidence_of_places(const EdgePieceColumns& pieces, float turn, RowColumn<float>& evidence) {
-    HWY_DYNAMIC_DISPATCH(evidence_of_places)(pieces, turn, evidence);
+float evidence_of_places(const EdgePieceColumns& pieces, float turn, RowColumn<float>& evidence) {
+    return HWY_DYNAMIC_DISPATCH(evidence_of_places)(pieces, turn, evidence);
 }
 
 void EdgePieceColumns::assign(std::size_t pieces) {

@@ -17,7 +17,7 @@ struct EdgePieceColumns {
 };
 
 /// With the edge turned by `turn`, how much evidence there is for the place that each piece has: of all
-/// pieces s·(1 − miss²/reach²), where that is more than nothing.
-void evidence_of_places(const EdgePieceColumns& pieces, float turn, RowColumn<float>& evidence);
+/// pieces s·(1 − miss²/reach²), where that is more than nothing. Returns the most.
+float evidence_of_places(const EdgePieceColumns& pieces, float turn, RowColumn<float>& evidence);
 
 }  // namespace goalmouth

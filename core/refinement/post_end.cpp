@@ -108,7 +108,7 @@ bool PostEndFinder::gather(double slope, double outwards, double per_px) {
     first_x = std::max(first_x, border), last_x = std::min(last_x, image_.width - 1.0 - border);
     first_y = std::max(first_y, border), last_y = std::min(last_y, image_.height - 1.0 - border);
     if (!(first_x < last_x) || !(first_y < last_y)) return false;
-    constexpr int most_pairs = 10;  // of a row
+    constexpr int most_pairs = 6;  // of a row: they share what the background does there
     PixelRays rays(camera_);
     for (int row = static_cast<int>(std::ceil(first_y)); row <= static_cast<int>(last_y); ++row) {
         // Of a leaning post each row holds a part of its own.
@@ -178,7 +178,7 @@ std::optional<PostEndFinder::Step> PostEndFinder::fit_step(double start_blur,
         step.blur *= std::exp(std::clamp(change[1], -0.3, 0.3));
         step.inner += change[2];
         step.outer += change[3];
-        constexpr double still = 1e-3;  // px
+        constexpr double still = 0.01;  // px; the step after that moves it by far less than the floor
         if (std::abs(change[0]) < still) break;
     }
     if (!(std::abs(step.blur / start_blur) < 3.0) || !(step.blur > 0.3)) return std::nullopt;

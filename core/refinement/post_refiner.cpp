@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <hwy/cache_control.h>
+#include <cstdint>
 #include <utility>
 
 namespace goalmouth {
@@ -39,19 +39,31 @@ std::optional<RoughOutline> rough_outline(const Post& post, YuyvView image) {
     return outline;
 }
 
-/// Asks memory for the pixels about both edges, all at once: waiting for one row after the other would take
-/// longer than working on them.
+/// Has memory bring the pixels about both edges, all at once: waiting for one row after the other would take
+/// longer than working on them. By loads: each row of a large picture lies in a page of its own, and
+/// processors drop prefetches from pages whose place they would have to look up first.
 void fetch_edges(YuyvView image, const RoughOutline& outline) {
-    constexpr int line = 32, reach = 16;  // px: of a cache line, to either side of an edge
-    const auto fetch = [&](int y, double edge) {
-        const int middle = static_cast<int>(std::clamp(edge, 0.0, image.width - 1.0));
-        const int last = std::min(image.width - 1, middle + reach);
-        for (int x = std::max(0, middle - reach); x <= last; x += line) hwy::Prefetch(image.row(y) + 2 * x);
-        hwy::Prefetch(image.row(y) + 2 * last);
+    constexpr int reach = 16;  // px to either side of an edge: a cache line, or parts of two
+    // As little work as can be from one load to the next, so that many are under way at once.
+    struct Edge {
+        float at, per_row;
     };
+    const auto edge = [&](auto column) {
+        const double first = column(outline.first_row), last = column(outline.last_row);
+        return Edge{static_cast<float>(first),
+                    static_cast<float>((last - first) / (outline.last_row - outline.first_row))};
+    };
+    const std::array<Edge, 2> edges = {edge([&](int row) { return outline.left(row); }),
+                                       edge([&](int row) { return outline.right(row); })};
+    const auto last_column = static_cast<float>(image.width - 1);
     for (int y = outline.first_row; y <= outline.last_row; ++y) {
-        fetch(y, outline.left(y));
-        fetch(y, outline.right(y));
+        const volatile std::uint8_t* const row = image.row(y);  // what is not used is loaded all the same
+        const auto rows = static_cast<float>(y - outline.first_row);
+        for (const Edge& e : edges) {
+            const float x = e.at + rows * e.per_row;
+            static_cast<void>(row[2 * static_cast<int>(std::clamp(x - reach, 0.0F, last_column))]);
+            static_cast<void>(row[2 * static_cast<int>(std::clamp(x + reach, 0.0F, last_column))]);
+        }
     }
 }
 
@@ -99,10 +111,20 @@ double PostRefiner::chroma_shift_of(YuyvView image, const Intrinsics& camera) co
 CameraResponse PostRefiner::response_of(YuyvView image, const Intrinsics& camera) const {
     if (parameters_.response != "auto")
         return parameters_.response == "srgb" ? CameraResponse::srgb : CameraResponse::linear;
-    ResponseEvidence evidence;
+    std::size_t left = 0;
     for (const Start& start : starts_)
-        if (start.problem.empty())
-            evidence += response_evidence(image, start.outline, start.colour, camera, start.edges);
+        for (const auto& edge : start.edges) left += start.problem.empty() && edge ? 1 : 0;
+    ResponseEvidence evidence;
+    for (const Start& start : starts_) {
+        for (std::size_t side = 0; side < 2; ++side) {
+            if (!start.problem.empty() || !start.edges[side]) continue;
+            // Mostly the first edges say enough.
+            if (!evidence.open(left--)) return CameraResponse::linear;
+            CoarseEdgeFinder::Edges one;
+            one[side] = start.edges[side];
+            evidence += response_evidence(image, start.outline, start.colour, camera, one);
+        }
+    }
     return evidence.response();
 }
 

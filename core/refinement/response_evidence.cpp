@@ -15,6 +15,12 @@ constexpr int most_rows = 96;
 constexpr double clear = 3.5, reach = 7.5;  // px beside an edge: one colour there, its blur is over
 constexpr double mixed = 2.5;               // px beside an edge: both colours
 
+// A fifth of the edges tell something else than a camera's response: anything over a range of two.
+constexpr double else_share = 0.2, else_range = 2.0;
+constexpr double peak = 0.39894;      // of a normal density
+constexpr double model = 0.1;         // sigma of the bow itself, of a camera's own curve
+constexpr double beyond_doubt = 5.0;  // more than one edge tells
+
 using Complement = Eigen::Matrix<float, 2, 3>;
 
 /// S with SᵀS = M: what tells post from background, in sigmas of a pair's noise.
@@ -112,19 +118,21 @@ double BowEvidence::sigma() const {
 double BowEvidence::odds() const {
     if (!(information_ > 0.0)) return 0.0;
     // Of a few rows the scatter says little: no better than the noise allows.
-    constexpr double model = 0.1;  // the bow itself, of a camera's own curve
     const double sure = std::hypot(std::max(sigma(), 1.0 / std::sqrt(information_)), model);
-    // A fifth of the edges tell something else: anything over a range of two.
-    constexpr double other = 0.2, range = 2.0;
     const auto likelihood = [&](double expected) {
         const double off = (share() - expected) / sure;
-        return (1.0 - other) * 0.39894 / sure * std::exp(-0.5 * off * off) + other / range;
+        return (1.0 - else_share) * peak / sure * std::exp(-0.5 * off * off) + else_share / else_range;
     };
     return std::log(likelihood(1.0) / likelihood(0.0));
 }
 
+bool ResponseEvidence::open(std::size_t edges) const {
+    static const double most_of_one =
+        std::log((1.0 - else_share) * peak / model * else_range / else_share + 1.0);
+    return odds_ + most_of_one * static_cast<double>(edges) > beyond_doubt;
+}
+
 CameraResponse ResponseEvidence::response() const {
-    constexpr double beyond_doubt = 5.0;  // one edge tells 3 at most
     return odds_ > beyond_doubt ? CameraResponse::srgb : CameraResponse::linear;
 }
 

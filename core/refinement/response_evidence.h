@@ -5,6 +5,8 @@
 #include "core/refinement/coarse_edges.h"
 #include "core/refinement/post_colour.h"
 
+#include <cstddef>
+
 namespace goalmouth {
 
 /// What the pixels between post and background say of a camera's response.
@@ -44,6 +46,8 @@ class ResponseEvidence {
         return *this;
     }
 
+    /// Whether more edges can make it srgb.
+    bool open(std::size_t edges) const;
     /// srgb where the bow is there beyond doubt: no one edge is enough, and edges that have none speak
     /// against those that do. What says nothing counts as linear.
     CameraResponse response() const;

@@ -238,24 +238,35 @@ std::optional<SilhouetteFitter::Stepped> SilhouetteFitter::step_once(const Task&
     return Stepped{step, pull};
 }
 
+bool SilhouetteFitter::left_windows(const RowLayout& layout, const SilhouetteFit& state) {
+    constexpr double most = 1.0;  // px
+    if (2.5 * state.blur > layout.outer) return true;
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (!edges_[side]) continue;
+        EdgeRows& rows = rows_[side];
+        place_edges(planes_[side], rows);
+        for (std::size_t i = 0; i < rows.count; ++i)
+            if (rows.seen(i) && std::abs(rows.edge[i] - rows.column[i]) > most) return true;
+    }
+    return false;
+}
+
 bool SilhouetteFitter::settle(const Task& task, RowLayout& layout, SilhouetteFit& state) {
     constexpr int most_iterations = 10;
-    constexpr int settled = 5;  // then rows that come and go with the step would keep it from settling
-    constexpr int most_readings = 3;
+    constexpr int settled = 4;  // then rows that come and go with the step would keep it from settling
+    constexpr int most_readings = 2;
     int readings = 0;
-    bool read_anew = true;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
         for (std::size_t side = 0; side < 2; ++side) planes_[side] = state.post.plane(sides[side]);
         profile_.set_blur(state.blur, state.digital);
-        const bool just_read = read_anew;
-        if (read_anew) {
+        const bool just_read = readings == 0 || (readings < most_readings && left_windows(layout, state));
+        if (just_read) {
             read(task, layout, state);
             ++readings;
-            read_anew = false;
         }
-        const bool blur_open = iteration > 0 && iteration <= settled;
+        const bool blur_open = iteration > 0 && iteration < settled;
         measure(state, blur_open);
-        const bool ask_all = iteration == 2 || iteration == 4 || (just_read && iteration > 4);
+        const bool ask_all = iteration == 1 || iteration == 2 || (just_read && iteration > 2);
         if (ask_all)
             for (std::size_t side = 0; side < 2; ++side)
                 if (edges_[side]) measure_apart(state, side);
@@ -265,26 +276,21 @@ bool SilhouetteFitter::settle(const Task& task, RowLayout& layout, SilhouetteFit
             state.consensus =
                 consensus_.find(rows_, roll_from(task.prior.up, state.post), task.prior.roll_sigma);
         }
-        if (iteration <= settled) smooth(state);
+        if (iteration < settled) smooth(state);
 
         const auto stepped = step_once(task, state);
         if (!stepped) return false;
         const auto& [step, pull] = *stepped;
 
         if (blur_open) fit_blur(state);
-        const double moved = task.camera.fx * step.cwiseAbs().maxCoeff();
-        const bool left_windows = moved > 1.0 || 3.0 * state.blur > layout.outer;
-        if (left_windows && readings < most_readings) {
-            read_anew = true;
-            continue;
-        }
         using namespace silhouette_part;
         constexpr double still = 0.004;  // px
         const double shift = task.camera.fx * std::max({std::abs(step[swing]), std::abs(step[half_angle]),
                                                         std::abs(step[roll]) * 0.3});
-        // What is still to gain, in units of the whole misfit: a fifth of a sigma.
-        constexpr double little = 0.05;
-        if (iteration >= 3 && (shift < still || pull.dot(step) < little)) {
+        // What the step gained, in units of the whole misfit: 0.7 sigma. The next one, which finishes the
+        // fit, gains a tenth of that or less.
+        constexpr double little = 0.5;
+        if (iteration + 1 >= settled && (shift < still || pull.dot(step) < little)) {
             state.converged = true;
             break;
         }

@@ -82,6 +82,8 @@ class SilhouetteFitter {
     };
     /// Gauss–Newton; nothing where there is no such silhouette.
     std::optional<Stepped> step_once(const Task& task, SilhouetteFit& state);
+    /// Whether rows' edges, or their blur, no longer lie well within the pixels that were read.
+    bool left_windows(const RowLayout& layout, const SilhouetteFit& state);
     void read(const Task& task, RowLayout& layout, const SilhouetteFit& state);
     /// Where each row's edge is supposed to be, and measures it there.
     void measure(const SilhouetteFit& state, bool blur);

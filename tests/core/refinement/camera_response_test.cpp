@@ -119,6 +119,17 @@ TEST(ResponseEvidence, OfOnePostYieldsToAnotherThatHasNoBow) {
     EXPECT_EQ(evidence.response(), CameraResponse::linear);
 }
 
+TEST(ResponseEvidence, IsOpenAsLongAsMoreEdgesCanTell) {
+    EXPECT_FALSE(ResponseEvidence().open(1));
+    EXPECT_TRUE(ResponseEvidence().open(2));
+    // What two edges of no bow say, four can outweigh that have one, and two cannot.
+    ResponseEvidence evidence(bow(0.0, 0.3), bow(0.0, 0.3));
+    EXPECT_FALSE(evidence.open(2));
+    EXPECT_TRUE(evidence.open(4));
+    for (int post = 0; post < 2; ++post) evidence += ResponseEvidence(bow(1.0, 0.0), bow(1.0, 0.0));
+    EXPECT_EQ(evidence.response(), CameraResponse::srgb);
+}
+
 TEST(ResponseEvidence, DoesNotBelieveRowsThatContradictEachOther) {
     EXPECT_EQ(ResponseEvidence(bow(0.9, 5.0), bow(0.9, 5.0)).response(), CameraResponse::linear);
 }

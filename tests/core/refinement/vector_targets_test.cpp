@@ -253,9 +253,24 @@ TEST(RefinementVectors, PiecesThatAgreeGiveEachOtherEvidence) {
     on_each_vector_target([&] {
         RowColumn<float> evidence;
         evidence.assign(20);
-        evidence_of_places(pieces, 0.02F, evidence);
+        EXPECT_NEAR(evidence_of_places(pieces, 0.02F, evidence), 13.0F, 1e-3F);
         for (std::size_t i = 0; i < 13; ++i) EXPECT_NEAR(evidence[i], 13.0F, 1e-3F);
         for (std::size_t i = 13; i < 20; ++i) EXPECT_NEAR(evidence[i], 1.0F, 1e-3F);
+    });
+}
+
+TEST(RefinementVectors, TheMostEvidenceIsThatOfAPiece) {
+    EdgePieceColumns pieces;
+    pieces.assign(2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        pieces.place[i] = i == 0 ? -0.05F : 0.05F;
+        pieces.share[i] = 1.0F;
+        pieces.per_square[i] = 100.0F;
+    }
+    on_each_vector_target([&] {
+        RowColumn<float> evidence;
+        evidence.assign(2);
+        EXPECT_NEAR(evidence_of_places(pieces, 0.0F, evidence), 1.0F, 1e-3F);  // half-way it would be 1.5
     });
 }
 
