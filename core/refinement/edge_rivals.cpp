@@ -110,6 +110,10 @@ bool is_absent(const LumaLine& line) {
     return line.chi2 < is_line && line.sigma < faintest_line;
 }
 
+bool is_seen(const std::optional<LumaLine>& line) {
+    return line && line->chi2 > is_line && line->sigma <= vaguest_line;
+}
+
 }  // namespace
 
 RivalVerdict judge_rivals(YuyvView image, const RunEnds& ends, int outwards, const PostStand& stand,
@@ -175,14 +179,12 @@ RivalVerdict judge_rivals(YuyvView image, const RunEnds& ends, int outwards, con
                              below_top >= enough_outside * verdict.here;
         if (no_line || (stand.sinks && !(line && line->chi2 > is_line)))
             move_to(outside);
-        else if (!line || line->chi2 <= is_line || line->sigma > vaguest_line)
+        else if (!is_seen(line))
             verdict.undecided += doubtful(outside);
     }
     const RunEnds::Place far_out = ends.far_outside();
-    if (!verdict.moved && judge.counts(far_out, verdict.here)) {
-        const auto line = judge.line_at_edge(far_out);
-        if (!line || line->chi2 <= is_line || line->sigma > vaguest_line) verdict.undecided += far_out.rows;
-    }
+    if (!verdict.moved && judge.counts(far_out, verdict.here) && !is_seen(judge.line_at_edge(far_out)))
+        verdict.undecided += far_out.rows;
     return verdict;
 }
 

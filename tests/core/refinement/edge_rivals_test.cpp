@@ -104,6 +104,24 @@ TEST(EdgeRivals, PlainPostHasNone) {
     EXPECT_FALSE(judge_rivals(image.view(), {}, 1, {}, 0.85).moved);
 }
 
+TEST(EdgeRivals, RowsThatEndFarOutSpeakAgainstAnEdgeWhereNoLineIsSeen) {
+    const Goal goal;
+    const YuyvImage image = goal.scene.draw();
+    RunEnds ends;
+    ends.tolerance = 2.0;
+    ends.spread = 1.2;
+    ends.near_by = 11.0;
+    for (int y = 60; y < 160; ++y) {
+        const double strip = 5.0, edge = goal.edges.left(y) + strip;
+        ends.rows.push_back({y, edge, strip, y < 120 ? goal.edges.right(y) - edge : 0.0});
+    }
+    const RivalVerdict verdict = judge_rivals(image.view(), ends, 1, {}, 0.85);
+    EXPECT_FALSE(verdict.moved);
+    EXPECT_EQ(verdict.here, 40);
+    EXPECT_EQ(verdict.undecided, 60);
+    EXPECT_DOUBLE_EQ(verdict.rival(), 1.5);
+}
+
 TEST(FootGround, IsBesideAnEdgeThatComesDownToTheFoot) {
     for (const bool hidden : {false, true}) {
         Goal goal;
