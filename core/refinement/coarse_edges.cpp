@@ -73,9 +73,13 @@ std::optional<double> end_of_colour(const Walk& walk, const PostColour& colour, 
     }
     pair -= step;
     const Eigen::Vector3f beyond = 0.5F * (walk.offset(pair + 2 * step) + walk.offset(pair + 3 * step));
-    const Eigen::Vector3f weights = colour.contrast * beyond;
+    Eigen::Vector3f weights = colour.contrast * beyond;
+    if (beyond.dot(weights) < 2.0F * least_contrast * least_contrast) {
+        // Black differs by its brightness alone, which is enough for half a pixel.
+        if (colour.mean[0] + beyond[0] > colour.darkest) return std::nullopt;
+        weights = {beyond[0], 0.0F, 0.0F};
+    }
     const float strength = beyond.dot(weights);
-    if (strength < 2.0F * least_contrast * least_contrast) return std::nullopt;
     float before = 0.0F;
     for (int at = pair - step, n = 0; n < 4; at += step, ++n) {
         if (!walk.inside(at)) return std::nullopt;

@@ -120,7 +120,7 @@ std::array<RunEnds, 2> run_ends(YuyvView image, const PostSilhouette& post, cons
         side.step = step;
         side.spread = 0.75 + 0.5 * blur;
         side.near_by = near_by + widths / std::max(1.0, rows);
-        side.tolerance = std::max(1.5 + 0.5 * blur, 0.08 * widths / std::max(1.0, rows));
+        side.tolerance = std::max(1.5 + 0.5 * blur, 0.03 * widths / std::max(1.0, rows));
     }
     return ends;
 }

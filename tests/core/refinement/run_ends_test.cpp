@@ -74,6 +74,19 @@ TEST(RunEnds, LieFarBeyondWhatIsHardlyAQuarterOfIt) {
     EXPECT_LT(ends[0].far_outside().rows, 6);
 }
 
+TEST(RunEnds, OfAWidePostAreToldFromAPolesThatSticksOutByThreePixels) {
+    DrawnPost scene = small_scene();
+    scene.distance = 0.55;
+    scene.bearing = 0.06;  // its right edge is in the picture
+    const Post corners = scene.found();
+    scene.behind = [&](double x, double y) {
+        return y < 150.0 && x > 40.0 && x < corners.right_top.x() + 5.0 ? scene.post : Levels(150, 150, 155);
+    };
+    const auto ends = look(scene, silhouette_of(scene, 0.0, 0.0));
+    EXPECT_GT(ends[1].outside().rows, 20);
+    EXPECT_GT(ends[1].here(), 20);
+}
+
 TEST(RunEnds, AreWhereBlackBegins) {
     DrawnPost scene = small_scene();
     scene.behind = [](double, double) { return Levels(6, 6, 8); };
