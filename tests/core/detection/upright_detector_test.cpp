@@ -179,6 +179,83 @@ TEST(UprightDetector, TheFieldThatShowsBetweenItsEdgesTellsThatThereIsNoPost) {
     EXPECT_NEAR(posts[0].distance_m, 3.0, 0.1);
 }
 
+/// What scan-lines see of two things of one colour that touch: where both show, from the left one's edge to
+/// the right one's.
+Candidates joined(const Robot& robot, const Cylinder& left, const Cylinder& right,
+                  const Change& change = {}) {
+    Candidates a = empty_frame(robot.camera), b = a, c = a;
+    add(a, robot, left, change);
+    add(b, robot, right);
+    const auto in_row = [](const Candidates& from, int y) {
+        return std::find_if(from.segments.begin(), from.segments.end(),
+                            [&](const CandidateSegment& s) { return s.line == y; });
+    };
+    for (int y = 2; y < c.height; y += spacing) {
+        const auto of_a = in_row(a, y), of_b = in_row(b, y);
+        const bool shows_a = of_a != a.segments.end(), shows_b = of_b != b.segments.end();
+        if (!shows_a && !shows_b) continue;
+        const auto& from = shows_a ? of_a : of_b;
+        const auto& to = shows_b ? of_b : of_a;
+        c.segments.push_back({Orientation::horizontal, y, from->start, to->end});
+        c.left_edges.emplace_back(from->start - 0.5, y);
+        c.right_edges.emplace_back(to->end + 0.5, y);
+    }
+    return c;
+}
+
+TEST(UprightDetector, WhereItsColourEndsEarlyThePostIsSoonerAThinnerOne) {
+    // A pole of its colour stands behind it to the right and ends above the ground; below, the post shows
+    // both edges.
+    Robot robot;
+    Cylinder pole = post_at(4.4, -0.12, 1.05, 0.05);
+    pole.base.z() = 0.2;
+    const Candidates c = joined(robot, post_at(3.0, 0.0), pole);
+    const auto posts = detect(c, robot, robot.told());
+    ASSERT_EQ(posts.size(), 1U);
+    EXPECT_NEAR(posts[0].distance_m, 3.0, 0.15);
+}
+
+TEST(UprightDetector, APostWithAHiddenFootGoesOnToTheGround) {
+    Robot robot;
+    const Cylinder post = post_at(3.0, 0.0);
+    const auto truth = project_edges(robot.camera, robot.T_BC(), post);
+    ASSERT_TRUE(truth);
+    Candidates c = empty_frame(robot.camera);
+    add(c, robot, post, [](Row& row, double from_top) { row.shows = from_top < 0.55; });
+    const double seen_to = c.segments.back().line;
+    auto posts = detect(c, robot, robot.told());
+    ASSERT_EQ(posts.size(), 1U);
+    EXPECT_NEAR(posts[0].left_base.y(), truth->left_base.y(),
+                0.06 * (truth->left_base.y() - truth->left_top.y()));
+
+    posts = detect(c, robot, std::nullopt);
+    ASSERT_EQ(posts.size(), 1U);
+    EXPECT_NEAR(posts[0].left_base.y(), seen_to, spacing) << "nobody knows where the ground is";
+
+    const int field_from = static_cast<int>(seen_to + 0.8 * (truth->left_base.y() - seen_to));
+    for (int y = 2; y < c.height; y += spacing)
+        if (y > field_from) c.field.push_back({y, 0, c.width - 1});
+    posts = detect(c, robot, robot.told());
+    ASSERT_EQ(posts.size(), 1U);
+    EXPECT_LT(posts[0].left_base.y(), field_from + 1) << "nothing hides it where the field shows";
+}
+
+TEST(UprightDetector, LeansAsTheVerticalWasMeasured) {
+    // What hides the post's right edge leans into it: the edges that most rows show lean by five degrees.
+    Robot robot;
+    const auto posts_with = [&](double error) {
+        Candidates c = empty_frame(robot.camera);
+        add(c, robot, post_at(5.0, 0.0),
+            [](Row& row, double from_top) { row.right -= std::max(0.0, from_top - 0.35) * 9.0; });
+        return detect(c, robot, robot.told(error));
+    };
+    const auto posts = posts_with(0.0);
+    ASSERT_EQ(posts.size(), 1U);
+    const double lean =
+        (posts[0].left_top - posts[0].left_base).x() / (posts[0].left_base - posts[0].left_top).y();
+    EXPECT_NEAR(lean, 0.0, 0.03);
+}
+
 TEST(UprightDetector, TellsLeftFromRightOfAGoalAndLeavesItsCrossbar) {
     Robot robot;
     Candidates c = empty_frame(robot.camera);
