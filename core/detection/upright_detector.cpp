@@ -245,6 +245,7 @@ const std::vector<Post>& UprightDetector::detect(const Candidates& candidates, c
     posts_.clear();
     taken_.clear();
     found_.clear();
+    fits_.clear();
     const auto view = UprightView::make(camera, pose, parameters_.search.level_sigma);
     if (!view) return posts_;
     seen_.take(candidates, *view);
@@ -259,6 +260,13 @@ const std::vector<Post>& UprightDetector::detect(const Candidates& candidates, c
     for (const Hypothesis& h : hypotheses_) {
         const UprightEdges edges = fitted(*view, h.edges, tolerance);
         if (std::abs(edges.roll) > 4.0 * roll_sigma_) continue;
+        const bool judged = std::any_of(fits_.begin(), fits_.end(), [&](const UprightEdges& other) {
+            const double same = 0.1 * tolerance;
+            return std::abs(edges.left - other.left) < same && std::abs(edges.right - other.right) < same &&
+                   std::abs(edges.roll - other.roll) < same;
+        });
+        if (judged) continue;
+        fits_.push_back(edges);
         // What the fit moves it by is no reason to leave it.
         const double width = 2.0 * edges.half_angle();
         if (!(width >= 0.9 * narrowest_ && width <= 1.1 * widest_)) continue;

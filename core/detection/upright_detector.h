@@ -80,6 +80,7 @@ class UprightDetector {
     UprightCandidates seen_;
     std::vector<AzimuthPeak> left_, right_;
     std::vector<Hypothesis> hypotheses_;
+    std::vector<UprightEdges> fits_;  // that were judged
     std::vector<UprightPost> found_, taken_;
     std::vector<UprightPoint> free_;
     std::vector<Eigen::Vector2d> edge_points_;

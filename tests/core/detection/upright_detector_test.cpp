@@ -179,40 +179,24 @@ TEST(UprightDetector, TheFieldThatShowsBetweenItsEdgesTellsThatThereIsNoPost) {
     EXPECT_NEAR(posts[0].distance_m, 3.0, 0.1);
 }
 
-/// What scan-lines see of two things of one colour that touch: where both show, from the left one's edge to
-/// the right one's.
-Candidates joined(const Robot& robot, const Cylinder& left, const Cylinder& right,
-                  const Change& change = {}) {
-    Candidates a = empty_frame(robot.camera), b = a, c = a;
-    add(a, robot, left, change);
-    add(b, robot, right);
-    const auto in_row = [](const Candidates& from, int y) {
-        return std::find_if(from.segments.begin(), from.segments.end(),
-                            [&](const CandidateSegment& s) { return s.line == y; });
-    };
-    for (int y = 2; y < c.height; y += spacing) {
-        const auto of_a = in_row(a, y), of_b = in_row(b, y);
-        const bool shows_a = of_a != a.segments.end(), shows_b = of_b != b.segments.end();
-        if (!shows_a && !shows_b) continue;
-        const auto& from = shows_a ? of_a : of_b;
-        const auto& to = shows_b ? of_b : of_a;
-        c.segments.push_back({Orientation::horizontal, y, from->start, to->end});
-        c.left_edges.emplace_back(from->start - 0.5, y);
-        c.right_edges.emplace_back(to->end + 0.5, y);
-    }
-    return c;
-}
-
 TEST(UprightDetector, WhereItsColourEndsEarlyThePostIsSoonerAThinnerOne) {
-    // A pole of its colour stands behind it to the right and ends above the ground; below, the post shows
-    // both edges.
+    // Something of its colour stands behind it and makes it wider, but not at its foot.
     Robot robot;
-    Cylinder pole = post_at(4.4, -0.12, 1.05, 0.05);
-    pole.base.z() = 0.2;
-    const Candidates c = joined(robot, post_at(3.0, 0.0), pole);
-    const auto posts = detect(c, robot, robot.told());
-    ASSERT_EQ(posts.size(), 1U);
-    EXPECT_NEAR(posts[0].distance_m, 3.0, 0.15);
+    const double wider = 0.1;
+    Candidates c = empty_frame(robot.camera);
+    add(c, robot, post_at(1.5, 0.0), [&](Row& row, double from_top) {
+        if (from_top < 0.6) row.right += wider * (row.right - row.left);
+    });
+    const auto view = UprightView::make(robot.camera, robot.told(), 0.26);
+    UprightCandidates seen;
+    seen.take(c, *view);
+    const UprightSize size;
+    UprightJudge judge(size);
+    const double half = std::asin(size.radius / 1.5);
+    const auto score = [&](double right) {
+        return judge.judge(seen, *view, {-half, right, 0.0}, 3.0 / robot.camera.fx).score;
+    };
+    EXPECT_GT(score(half), score(half * (1.0 + 2.0 * wider)));
 }
 
 TEST(UprightDetector, APostWithAHiddenFootGoesOnToTheGround) {
