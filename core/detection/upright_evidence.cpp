@@ -10,7 +10,7 @@ namespace goalmouth {
 namespace {
 
 // What a row within a post's ends counts.
-constexpr double both_edges = 2.0, one_edge = 1.0, ends_early = 0.0, no_edge = -0.3, hidden = -0.8,
+constexpr double both_edges = 2.0, one_edge = 1.0, ends_early = 0.5, no_edge = -0.3, hidden = -0.8,
                  hidden_top = -1.5;
 // What it counts besides where all between the edges is field.
 constexpr double shows_field = -3.0;

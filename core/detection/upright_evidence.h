@@ -53,7 +53,7 @@ struct UprightEvidence {
 /// both; the shift is the one with most evidence, less its own cost. A row in between counts
 ///      2  its middle has the post's colour, and both edges are where they should be,
 ///      1  one edge alone is, and on the other side the colour goes on: something of the same stands there,
-///      0  one edge alone is, and on the other side the colour ends too early: something may stand before
+///    0.5  one edge alone is, and on the other side the colour ends too early: something may stand before
 ///         that edge, but as well the post may be a thinner one,
 ///   −0.3  the colour goes on on both sides,
 ///   −0.8  it has another colour: something stands before it, or it is no post,
