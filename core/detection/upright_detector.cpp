@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <tuple>
 
 #include <Eigen/Cholesky>
@@ -17,7 +16,7 @@ constexpr double least_roll_sigma = 1e-3;    // rad
 constexpr double roll_sigmas = 3.0;          // rolls are tried as far from the measured vertical as this
 constexpr double most_roll = 0.7;            // rad, and no farther
 constexpr std::size_t most_peaks = 10;       // of a side, for one roll
-constexpr std::size_t most_hypotheses = 24;  // that are judged
+constexpr std::size_t most_hypotheses = 32;  // that are judged
 
 }  // namespace
 
@@ -26,7 +25,8 @@ UprightDetector::UprightDetector(const UprightDetectorParameters& parameters, co
       size_{0.5 * field.post_diameter, field.goal_height + 0.5 * field.post_diameter},
       narrowest_(2.0 * std::asin(std::min(1.0, size_.radius / parameters.search.farthest))),
       widest_(2.0 * std::asin(std::min(1.0, size_.radius / parameters.search.nearest))),
-      judge_(size_) {}
+      judge_(size_),
+      pairs_(size_, field.goal_width, parameters.search.lean_sigma) {}
 
 /// Of the rows it would be seen in were all of it in the picture, some are reason enough.
 double UprightDetector::usual_rows(const UprightEdges& edges) const {
@@ -92,16 +92,20 @@ void UprightDetector::suggest(const UprightView& view, double tolerance) {
         return std::tuple(-a.promise, a.edges.left, a.edges.right, a.edges.roll) <
                std::tuple(-b.promise, b.edges.left, b.edges.right, b.edges.roll);
     });
-    // Of those with the same edges the best.
+    // Of those with the same edges the best. Where the vertical was measured, it tells which of those that
+    // lean otherwise is meant, as judged later; else the points alone do.
     std::size_t kept = 0;
     for (const Hypothesis& next : hypotheses_) {
         if (kept >= most_hypotheses) break;
-        const bool known =
-            std::any_of(hypotheses_.begin(), hypotheses_.begin() + static_cast<std::ptrdiff_t>(kept),
-                        [&](const Hypothesis& h) {
-                            return std::abs(h.edges.left - next.edges.left) < 2.0 * tolerance &&
-                                   std::abs(h.edges.right - next.edges.right) < 2.0 * tolerance;
-                        });
+        const Ends ends = ends_of(view, next.edges);
+        const double farthest = std::max(std::abs(ends.top), std::abs(ends.base));
+        const bool known = std::any_of(
+            hypotheses_.begin(), hypotheses_.begin() + static_cast<std::ptrdiff_t>(kept),
+            [&](const Hypothesis& h) {
+                return std::abs(h.edges.left - next.edges.left) < 2.0 * tolerance &&
+                       std::abs(h.edges.right - next.edges.right) < 2.0 * tolerance &&
+                       (!view.height() || std::abs(h.edges.roll - next.edges.roll) * farthest < tolerance);
+            });
         if (!known) hypotheses_[kept++] = next;
     }
     hypotheses_.resize(kept);
@@ -150,33 +154,7 @@ bool UprightDetector::passes(const UprightEvidence& evidence) const {
            evidence.right_rows >= edge && evidence.score >= search.least_score * evidence.rows;
 }
 
-/// Two posts of one picture: neither in one place nor at odds about the vertical.
-bool UprightDetector::go_together(const Found& taken, const Found& next, double tolerance) const {
-    const double turn = std::sin(std::abs(taken.edges.middle(0.0) - next.edges.middle(0.0)));
-    constexpr double sigmas = 3.0;
-    if (std::abs(taken.edges.roll - next.edges.roll) >
-        sigmas * (std::numbers::sqrt2 * std::max(least_roll_sigma, parameters_.search.lean_sigma) +
-                  turn * attitude_sigma_))
-        return false;
-    const double top = std::min(next.evidence.first_slope, taken.evidence.first_slope);
-    const double base = std::max(next.evidence.last_slope, taken.evidence.last_slope);
-    if (top < base) return true;  // one above the other
-    for (int k = 0; k <= 4; ++k) {
-        const double slope = base + 0.25 * k * (top - base);
-        const double roll = (taken.edges.roll - next.edges.roll) * slope;
-        const double left = taken.edges.left - next.edges.left + roll;
-        const double right = taken.edges.right - next.edges.right + roll;
-        if (std::abs(left) < 2.0 * tolerance || std::abs(right) < 2.0 * tolerance) return false;
-        const double taken_width = taken.edges.right - taken.edges.left;
-        const double next_width = next.edges.right - next.edges.left;
-        const double overlap = std::min(right, 0.0) + next_width - std::max(left, 0.0);
-        constexpr double most = 0.25;  // of the narrower one's width
-        if (overlap > most * std::min(taken_width, next_width)) return false;
-    }
-    return true;
-}
-
-std::optional<Post> UprightDetector::post_of(const Found& found, const UprightView& view,
+std::optional<Post> UprightDetector::post_of(const UprightPost& found, const UprightView& view,
                                              const Intrinsics& camera) const {
     Post post;
     const auto place = [&](double azimuth, double slope, Eigen::Vector2d& corner) {
@@ -212,7 +190,7 @@ std::optional<EdgeLine> UprightDetector::free_edge(const std::vector<UprightPoin
                                                    double tolerance) {
     free_.clear();
     for (const UprightPoint& p : points) {
-        const bool taken = std::any_of(taken_.begin(), taken_.end(), [&](const Found& f) {
+        const bool taken = std::any_of(taken_.begin(), taken_.end(), [&](const UprightPost& f) {
             const double edge = left ? f.edges.left : f.edges.right;
             return std::abs(p.ray.azimuth - edge - f.edges.roll * p.ray.slope) < 2.0 * tolerance;
         });
@@ -267,6 +245,7 @@ const std::vector<Post>& UprightDetector::detect(const Candidates& candidates, c
     posts_.clear();
     taken_.clear();
     found_.clear();
+    fits_.clear();
     const auto view = UprightView::make(camera, pose, parameters_.search.level_sigma);
     if (!view) return posts_;
     seen_.take(candidates, *view);
@@ -277,24 +256,41 @@ const std::vector<Post>& UprightDetector::detect(const Candidates& candidates, c
                                             static_cast<double>(seen_.rows.size() - 1)
                                       : 1.0;
     view_scale_ = camera.fy;
-    attitude_sigma_ = view->attitude_sigma();
     suggest(*view, tolerance);
     for (const Hypothesis& h : hypotheses_) {
         const UprightEdges edges = fitted(*view, h.edges, tolerance);
         if (std::abs(edges.roll) > 4.0 * roll_sigma_) continue;
+        const bool judged = std::any_of(fits_.begin(), fits_.end(), [&](const UprightEdges& other) {
+            const double same = 0.1 * tolerance;
+            return std::abs(edges.left - other.left) < same && std::abs(edges.right - other.right) < same &&
+                   std::abs(edges.roll - other.roll) < same;
+        });
+        if (judged) continue;
+        fits_.push_back(edges);
         // What the fit moves it by is no reason to leave it.
         const double width = 2.0 * edges.half_angle();
         if (!(width >= 0.9 * narrowest_ && width <= 1.1 * widest_)) continue;
-        const UprightEvidence evidence = judge_.judge(seen_, *view, edges, 1.5 * tolerance);
+        UprightEvidence evidence = judge_.judge(seen_, *view, edges, 1.5 * tolerance);
+        evidence.score -= cost_of_error(edges.roll, roll_sigma_);
         if (passes(evidence)) found_.push_back({edges, evidence});
     }
-    std::sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
+    std::sort(found_.begin(), found_.end(), [](const UprightPost& a, const UprightPost& b) {
         return std::tuple(-a.evidence.score, a.edges.left, a.edges.right, a.edges.roll) <
                std::tuple(-b.evidence.score, b.edges.left, b.edges.right, b.edges.roll);
     });
-    for (const Found& next : found_) {
+    const UprightDoubt doubt{view->attitude_sigma(), tolerance, 1.0 / camera.fx};
+    if (const auto pair = pairs_.best(found_, doubt)) {
+        const auto to_front = [&](std::size_t place, std::size_t from) {
+            const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(place);
+            const auto at = found_.begin() + static_cast<std::ptrdiff_t>(from);
+            std::rotate(begin, at, at + 1);
+        };
+        to_front(0, pair->first);
+        to_front(1, pair->second);
+    }
+    for (const UprightPost& next : found_) {
         if (!std::all_of(taken_.begin(), taken_.end(),
-                         [&](const Found& f) { return go_together(f, next, tolerance); }))
+                         [&](const UprightPost& f) { return pairs_.go_together(f, next, doubt); }))
             continue;
         const auto post = post_of(next, *view, camera);
         if (!post) continue;

@@ -3,6 +3,7 @@
 #include "core/detection/edge_lines.h"
 #include "core/detection/post.h"
 #include "core/detection/upright_evidence.h"
+#include "core/detection/upright_pairs.h"
 #include "core/detection/upright_parameters.h"
 #include "core/detection/upright_view.h"
 #include "core/detection/upright_votes.h"
@@ -29,9 +30,9 @@ namespace goalmouth {
 ///      (AzimuthVotes), and which pairs of them make a post at a plausible distance with enough points
 ///      between its ends. No draws: the same candidates give the same posts.
 ///   2  The best of these are fitted to their points (least squares of left, right and roll, the vertical as
-///      prior), then judged row by row (UprightJudge).
-///   3  The best of those that pass are posts, one after the other, as long as they share no edge with one
-///      before and do not overlap it.
+///      prior), then judged row by row (UprightJudge); what the roll leaves the measured vertical by costs.
+///   3  The best of those that pass are posts, first the two that go best together, if any do (UprightPairs),
+///      then one after the other, as long as they share no edge with one before and do not overlap it.
 ///
 /// A camera that looks along the vertical sees none. Posts cut by the picture's side border are those of the
 /// paper's variant (cut_posts.h), from edges that no post has taken. Distance by the angle between the planes
@@ -50,10 +51,6 @@ class UprightDetector {
         UprightEdges edges;
         double promise = 0.0;
     };
-    struct Found {
-        UprightEdges edges;
-        UprightEvidence evidence;
-    };
 
     void suggest(const UprightView& view, double tolerance);
     /// Slopes between which a post with such edges may show, for certain.
@@ -66,24 +63,25 @@ class UprightDetector {
     /// Least squares of the points near its edges and between its ends.
     UprightEdges fitted(const UprightView& view, const UprightEdges& edges, double tolerance) const;
     bool passes(const UprightEvidence& evidence) const;
-    bool go_together(const Found& taken, const Found& next, double tolerance) const;
-    std::optional<Post> post_of(const Found& found, const UprightView& view, const Intrinsics& camera) const;
+    std::optional<Post> post_of(const UprightPost& found, const UprightView& view,
+                                const Intrinsics& camera) const;
     void add_cut_posts(const Candidates& candidates, const Intrinsics& camera, double tolerance);
     std::optional<EdgeLine> free_edge(const std::vector<UprightPoint>& points, bool left, double tolerance);
 
     UprightDetectorParameters parameters_;
     UprightSize size_;
-    double narrowest_, widest_;    // rad, between the edges of a post at a plausible distance
-    double roll_sigma_ = 0.0;      // rad
-    double attitude_sigma_ = 0.0;  // rad
-    double row_step_ = 1.0;        // px, from one horizontal scan-line to the next
-    double view_scale_ = 1.0;      // px per unit of slope
+    double narrowest_, widest_;  // rad, between the edges of a post at a plausible distance
+    double roll_sigma_ = 0.0;    // rad
+    double row_step_ = 1.0;      // px, from one horizontal scan-line to the next
+    double view_scale_ = 1.0;    // px per unit of slope
     UprightJudge judge_;
+    UprightPairs pairs_;
     AzimuthVotes votes_;
     UprightCandidates seen_;
     std::vector<AzimuthPeak> left_, right_;
     std::vector<Hypothesis> hypotheses_;
-    std::vector<Found> found_, taken_;
+    std::vector<UprightEdges> fits_;  // that were judged
+    std::vector<UprightPost> found_, taken_;
     std::vector<UprightPoint> free_;
     std::vector<Eigen::Vector2d> edge_points_;
     std::vector<Post> posts_;

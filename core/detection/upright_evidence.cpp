@@ -10,7 +10,8 @@ namespace goalmouth {
 namespace {
 
 // What a row within a post's ends counts.
-constexpr double both_edges = 2.0, one_edge = 1.0, no_edge = -0.3, hidden = -0.8, hidden_top = -1.5;
+constexpr double both_edges = 2.0, one_edge = 1.0, ends_early = 0.5, no_edge = -0.3, hidden = -0.8,
+                 hidden_top = -1.5;
 // What it counts besides where all between the edges is field.
 constexpr double shows_field = -3.0;
 // And one beyond them.
@@ -79,6 +80,8 @@ void UprightJudge::look(const UprightCandidates& candidates, const UprightView& 
         if (run.row < 0) continue;
         Row& row = rows_[static_cast<std::size_t>(run.row)];
         row.covered = true;
+        row.reaches_left = row.reaches_left || run.cut_left || begin <= tolerance;
+        row.reaches_right = row.reaches_right || run.cut_right || end >= width - tolerance;
         row.cut =
             row.cut || (run.cut_left && begin > -tolerance) || (run.cut_right && end < width + tolerance);
     }
@@ -119,7 +122,8 @@ UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const U
         const int seen = static_cast<int>(row.left) + static_cast<int>(row.right);
         double in = i < first_seen ? hidden_top : hidden, out = 0.0;
         if (row.covered) {
-            in = seen == 2 ? both_edges : seen == 1 ? one_edge : no_edge;
+            const bool ends = row.left ? !row.reaches_right : !row.reaches_left;
+            in = seen == 2 ? both_edges : seen == 0 ? no_edge : ends ? ends_early : one_edge;
             if (row.cut) in = std::max(in, 0.5 * one_edge) + 0.5 * one_edge;
             out = seen == 2 ? goes_on : seen == 1 ? goes_on_beside : 0.0;
         }
@@ -160,10 +164,9 @@ UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const U
         const std::size_t begin = row_below(at_top), end = row_below(at_base);
         if (end <= begin || at_base < horizon.deepest_base) continue;
         const std::size_t above = row_below(at_top + margin), below = row_below(at_base - base_margin);
-        const double leaves = sigma > 0.0 ? shift / sigma : 0.0;
         const double score = inside_[end] - inside_[begin] + outside_[above] + outside_[n] - outside_[below] +
                              (border > end ? hangs * static_cast<double>(border - end) : 0.0) -
-                             0.5 * leaves * leaves;
+                             cost_of_error(shift, sigma);
         if (!first && score <= best.score) continue;
         first = false;
         best = {};
@@ -175,17 +178,23 @@ UprightEvidence UprightJudge::judge(const UprightCandidates& candidates, const U
     if (first) return best;
     const std::size_t begin = row_below(best.first_slope + margin),
                       end = row_below(best.last_slope - base_margin);
+    const std::size_t ground = row_below(best.last_slope);
     bool any = false;
+    std::size_t last = end;
     for (std::size_t i = begin; i < end; ++i) {
         const Row& row = rows_[i];
         if (!row.covered) continue;
         if (!any) best.first_slope = row.slope;
         best.last_slope = row.slope;
         any = true;
+        last = i;
         ++best.covered_rows;
         best.left_rows += row.left ? 1 : 0;
         best.right_rows += row.right ? 1 : 0;
     }
+    if (!any || !view.height()) return best;
+    for (std::size_t i = last + 1; i < ground && !(rows_[i].field > 0.0); ++i)
+        best.last_slope = rows_[i].slope;
     return best;
 }
 

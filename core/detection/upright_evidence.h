@@ -26,9 +26,19 @@ struct UprightSize {
     double height = 0.95;  // m, of the goal's upper edge
 };
 
+/// Rows agree for the same reason: what stands beside a post, or before it, does so in many of them. As many
+/// are worth one draw, by which an error is as likely as its sigma says.
+inline constexpr double rows_a_draw = 3.0;
+
+/// What an error that far from nothing costs, in rows of evidence.
+inline double cost_of_error(double error, double sigma) {
+    if (error == 0.0) return 0.0;
+    return rows_a_draw * 0.5 * (error / sigma) * (error / sigma);
+}
+
 /// What a frame's candidates say for a post with such edges.
 struct UprightEvidence {
-    double score = 0.0;  // sum over rows, less what the shift costs
+    double score = 0.0;  // sum over rows, less what errors of the pose cost
     double rows = 0.0;   // in the picture between the post's ends
     int left_rows = 0;   // of these, in which the edge is where it should be
     int right_rows = 0;
@@ -42,7 +52,9 @@ struct UprightEvidence {
 /// base and top are: at the slopes −h/(D − r) and (H − h)/(D ∓ r). An error of the measured vertical shifts
 /// both; the shift is the one with most evidence, less its own cost. A row in between counts
 ///      2  its middle has the post's colour, and both edges are where they should be,
-///      1  one edge alone is: on the other side there may be something of the same colour,
+///      1  one edge alone is, and on the other side the colour goes on: something of the same stands there,
+///    0.5  one edge alone is, and on the other side the colour ends too early: something may stand before
+///         that edge, but as well the post may be a thinner one,
 ///   −0.3  the colour goes on on both sides,
 ///   −0.8  it has another colour: something stands before it, or it is no post,
 ///   −1.5  the same, above all that shows an edge: what stands on the field hides feet sooner than tops,
@@ -53,6 +65,9 @@ struct UprightEvidence {
 ///         Little, for a colour table that lacks the field's far part shows the border too low, and every
 ///         post hangs there.
 /// The picture's border is no edge, and no missing one.
+///
+/// A post ends where its colour does, but for what stands before its foot: where the camera's height is
+/// known, its edges go on to where it meets the ground, as far as no row shows field between them.
 ///
 /// Where nobody knows the camera's height, a base does not lie deeper below the field's border than it could:
 /// the border is below the horizon and the camera no higher than goals are, so by H / (D − r) at most; twice
@@ -68,6 +83,7 @@ class UprightJudge {
     struct Row {
         double slope = 0.0;
         bool covered = false, left = false, right = false, cut = false;
+        bool reaches_left = false, reaches_right = false;  // its colour does, or goes on beyond
         double field = 0.0;  // share of what lies between the edges, but for the tolerance
     };
     /// What the field's border says of a post's base, as slopes; without one, nothing.

@@ -13,7 +13,7 @@ struct UprightSearchParameters {
     double level_sigma = 0.26;
     double nearest = 0.2;
     double farthest = 10.0;
-    double least_edge = 0.15;
+    double least_edge = 0.1;
     double least_cover = 0.4;
     int least_rows = 6;
     double least_score = 0.3;

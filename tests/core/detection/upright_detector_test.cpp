@@ -179,6 +179,67 @@ TEST(UprightDetector, TheFieldThatShowsBetweenItsEdgesTellsThatThereIsNoPost) {
     EXPECT_NEAR(posts[0].distance_m, 3.0, 0.1);
 }
 
+TEST(UprightDetector, WhereItsColourEndsEarlyThePostIsSoonerAThinnerOne) {
+    // Something of its colour stands behind it and makes it wider, but not at its foot.
+    Robot robot;
+    const double wider = 0.1;
+    Candidates c = empty_frame(robot.camera);
+    add(c, robot, post_at(1.5, 0.0), [&](Row& row, double from_top) {
+        if (from_top < 0.6) row.right += wider * (row.right - row.left);
+    });
+    const auto view = UprightView::make(robot.camera, robot.told(), 0.26);
+    UprightCandidates seen;
+    seen.take(c, *view);
+    const UprightSize size;
+    UprightJudge judge(size);
+    const double half = std::asin(size.radius / 1.5);
+    const auto score = [&](double right) {
+        return judge.judge(seen, *view, {-half, right, 0.0}, 3.0 / robot.camera.fx).score;
+    };
+    EXPECT_GT(score(half), score(half * (1.0 + 2.0 * wider)));
+}
+
+TEST(UprightDetector, APostWithAHiddenFootGoesOnToTheGround) {
+    Robot robot;
+    const Cylinder post = post_at(3.0, 0.0);
+    const auto truth = project_edges(robot.camera, robot.T_BC(), post);
+    ASSERT_TRUE(truth);
+    Candidates c = empty_frame(robot.camera);
+    add(c, robot, post, [](Row& row, double from_top) { row.shows = from_top < 0.55; });
+    const double seen_to = c.segments.back().line;
+    auto posts = detect(c, robot, robot.told());
+    ASSERT_EQ(posts.size(), 1U);
+    EXPECT_NEAR(posts[0].left_base.y(), truth->left_base.y(),
+                0.06 * (truth->left_base.y() - truth->left_top.y()));
+
+    posts = detect(c, robot, std::nullopt);
+    ASSERT_EQ(posts.size(), 1U);
+    EXPECT_NEAR(posts[0].left_base.y(), seen_to, spacing) << "nobody knows where the ground is";
+
+    const int field_from = static_cast<int>(seen_to + 0.8 * (truth->left_base.y() - seen_to));
+    for (int y = 2; y < c.height; y += spacing)
+        if (y > field_from) c.field.push_back({y, 0, c.width - 1});
+    posts = detect(c, robot, robot.told());
+    ASSERT_EQ(posts.size(), 1U);
+    EXPECT_LT(posts[0].left_base.y(), field_from + 1) << "nothing hides it where the field shows";
+}
+
+TEST(UprightDetector, LeansAsTheVerticalWasMeasured) {
+    // What hides the post's right edge leans into it: the edges that most rows show lean by five degrees.
+    Robot robot;
+    const auto posts_with = [&](double error) {
+        Candidates c = empty_frame(robot.camera);
+        add(c, robot, post_at(5.0, 0.0),
+            [](Row& row, double from_top) { row.right -= std::max(0.0, from_top - 0.35) * 9.0; });
+        return detect(c, robot, robot.told(error));
+    };
+    const auto posts = posts_with(0.0);
+    ASSERT_EQ(posts.size(), 1U);
+    const double lean =
+        (posts[0].left_top - posts[0].left_base).x() / (posts[0].left_base - posts[0].left_top).y();
+    EXPECT_NEAR(lean, 0.0, 0.03);
+}
+
 TEST(UprightDetector, TellsLeftFromRightOfAGoalAndLeavesItsCrossbar) {
     Robot robot;
     Candidates c = empty_frame(robot.camera);
