@@ -14,12 +14,8 @@ TEST(CoarseEdges, AreSeenBesideBlack) {
         return x > 0.5 * scene.camera.width ? Levels(8, 8, 10) : Levels(150, 150, 155);
     };
     const YuyvImage image = scene.draw();
-    const Post corners = scene.found();
-    RoughOutline outline{corners.left_top, corners.left_base, corners.right_top, corners.right_base};
-    outline.first_row = static_cast<int>(corners.left_top.y()) + 2;
-    outline.last_row = static_cast<int>(corners.left_base.y()) - 2;
-    PostColour colour;
-    ASSERT_TRUE(PostColourEstimator().estimate(image.view(), outline, {}, CameraResponse::linear, colour));
+    const RoughOutline outline = rough_outline_of(scene);
+    const PostColour colour = colour_of(scene, image.view());
     const auto edges = CoarseEdgeFinder().find(image.view(), outline, colour, scene.camera, {});
     PixelRays rays(scene.camera);
     const double y = 0.5 * (outline.first_row + outline.last_row);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 namespace goalmouth::test {
 namespace {
 
@@ -159,6 +161,21 @@ Post DrawnPost::found(double left_moved, double right_moved) const {
     result.width_px = right[0].x() - left[0].x();
     result.distance_m = distance * 1.1;
     return result;
+}
+
+RoughOutline rough_outline_of(const DrawnPost& scene) {
+    const Post corners = scene.found();
+    RoughOutline outline{corners.left_top, corners.left_base, corners.right_top, corners.right_base};
+    outline.first_row = static_cast<int>(corners.left_top.y()) + 2;
+    outline.last_row = static_cast<int>(corners.left_base.y()) - 2;
+    return outline;
+}
+
+PostColour colour_of(const DrawnPost& scene, YuyvView image) {
+    PostColour colour;
+    if (!PostColourEstimator().estimate(image, rough_outline_of(scene), {}, CameraResponse::linear, colour))
+        ADD_FAILURE() << "no colour of its own";
+    return colour;
 }
 
 DrawnPost small_scene() {

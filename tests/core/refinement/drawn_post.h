@@ -5,6 +5,7 @@
 #include "core/geometry/camera_pose.h"
 #include "core/geometry/cylinder.h"
 #include "core/imaging/yuyv.h"
+#include "core/refinement/post_colour.h"
 
 #include <cstdint>
 #include <functional>
@@ -58,6 +59,12 @@ struct PostEdges {
         return a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
     }
 };
+
+/// Where the post is, and two rows less at either end.
+RoughOutline rough_outline_of(const DrawnPost& scene);
+
+/// The post's colour as its picture shows it.
+PostColour colour_of(const DrawnPost& scene, YuyvView image);
 
 /// A small picture where the post lies, to draw quickly.
 DrawnPost small_scene();

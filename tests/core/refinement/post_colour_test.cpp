@@ -8,14 +8,7 @@ namespace goalmouth::test {
 namespace {
 
 PostColour colour_of(const DrawnPost& scene) {
-    const YuyvImage image = scene.draw();
-    const Post corners = scene.found();
-    RoughOutline outline{corners.left_top, corners.left_base, corners.right_top, corners.right_base};
-    outline.first_row = static_cast<int>(corners.left_top.y()) + 2;
-    outline.last_row = static_cast<int>(corners.left_base.y()) - 2;
-    PostColour colour;
-    EXPECT_TRUE(PostColourEstimator().estimate(image.view(), outline, {}, CameraResponse::linear, colour));
-    return colour;
+    return test::colour_of(scene, scene.draw().view());
 }
 
 bool is_like(const PostColour& post, const PairColour& colour) {

@@ -26,16 +26,11 @@ PostSilhouette silhouette_of(const DrawnPost& scene, double left_out, double rig
 
 std::array<RunEnds, 2> look(const DrawnPost& scene, const PostSilhouette& post) {
     const YuyvImage image = scene.draw();
-    const Post corners = scene.found();
-    RoughOutline outline{corners.left_top, corners.left_base, corners.right_top, corners.right_base};
-    outline.first_row = static_cast<int>(corners.left_top.y()) + 2;
-    outline.last_row = static_cast<int>(corners.left_base.y()) - 2;
-    PostColour colour;
-    EXPECT_TRUE(PostColourEstimator().estimate(image.view(), outline, {}, CameraResponse::linear, colour));
+    const RoughOutline outline = rough_outline_of(scene);
     PostExtent extent;
     extent.first_edge_row = outline.first_row;
     extent.last_edge_row = outline.last_row;
-    return run_ends(image.view(), post, colour, scene.camera, extent, blur);
+    return run_ends(image.view(), post, colour_of(scene, image.view()), scene.camera, extent, blur);
 }
 
 TEST(RunEnds, AreAtTheEdgesOfThePost) {
