@@ -32,6 +32,8 @@ class Judge {
     }
 
     double width() const { return width_; }  // px, mean
+    /// As a multiple of that, the width of a post with its edge at the place.
+    double wider(const RunEnds::Place& place) const { return (width_ + place.beyond) / width_; }
     bool counts(const RunEnds::Place& place, int here) const {
         return place.rows >= least_rows && place.rows >= least_share * (here + place.rows);
     }
@@ -135,10 +137,10 @@ RivalVerdict judge_rivals(YuyvView image, const RunEnds& ends, int outwards, con
                 for (int k = 0; k < ends.step; ++k) verdict.left_out.push_back(row.y + k);
     };
 
+    const RunEnds::Place inside = ends.inside(), outside = ends.outside(), far_outside = ends.far_outside();
     // A nearer, wider post of which the colour ends at its top where this one's would go on above it.
-    for (const RunEnds::Place& place : {ends.outside(), ends.far_outside()}) {
-        const double wider = (judge.width() + place.beyond) / judge.width();
-        if (stand.overtops && judge.counts(place, verdict.here) && stand.reaches(wider)) {
+    for (const RunEnds::Place& place : {outside, far_outside}) {
+        if (stand.overtops && judge.counts(place, verdict.here) && stand.reaches(judge.wider(place))) {
             move_to(place);
             return verdict;
         }
@@ -152,7 +154,6 @@ RivalVerdict judge_rivals(YuyvView image, const RunEnds& ends, int outwards, con
         const auto order = judge.order(place);
         return order.above + order.below > mostly * order.among ? place.rows : 0;
     };
-    const RunEnds::Place inside = ends.inside();
     if (judge.counts(inside, verdict.here)) {
         // Down at its foot nothing stands behind a post.
         const auto order = judge.order(inside);
@@ -165,10 +166,9 @@ RivalVerdict judge_rivals(YuyvView image, const RunEnds& ends, int outwards, con
         }
         if (!line || !is_absent(*line)) verdict.undecided += doubtful(inside);
     }
-    const RunEnds::Place outside = ends.outside();
     if (judge.counts(outside, verdict.here) && !judge.stands_on_ground_below(outside)) {
         const auto line = judge.line_at_edge(outside);
-        const double wider = (judge.width() + outside.beyond) / judge.width();
+        const double wider = judge.wider(outside);
         const double top = stand.crossbar_row(stand.reaches(wider) ? wider : 1.0).value_or(image.height);
         const auto below_top =
             static_cast<double>(std::count_if(ends.rows.begin(), ends.rows.end(), [&](const RunEnd& row) {
@@ -182,9 +182,9 @@ RivalVerdict judge_rivals(YuyvView image, const RunEnds& ends, int outwards, con
         else if (!is_seen(line))
             verdict.undecided += doubtful(outside);
     }
-    const RunEnds::Place far_out = ends.far_outside();
-    if (!verdict.moved && judge.counts(far_out, verdict.here) && !is_seen(judge.line_at_edge(far_out)))
-        verdict.undecided += far_out.rows;
+    if (!verdict.moved && judge.counts(far_outside, verdict.here) &&
+        !is_seen(judge.line_at_edge(far_outside)))
+        verdict.undecided += far_outside.rows;
     return verdict;
 }
 

@@ -15,7 +15,8 @@ namespace goalmouth {
 /// behind it, the colour goes on beyond the edge; where something stands before it, the colour ends within.
 /// So of two places where it ends either may be the edge, whatever has more rows. But what stands behind is
 /// hardly as bright as the post along its edge: rows in which the colour goes on show a line or a step in
-/// luma there (luma_line.h), and rows of a post that is hidden elsewhere show none.
+/// luma there (luma_line.h), and rows of a post that is hidden elsewhere show none. And a post is as high as
+/// goals are: what goes on above the top of one so narrow, and ends at that of a wider one, is the wider one.
 struct RivalVerdict {
     std::optional<RunEnds::Place> moved;  // where the edge is instead
     std::optional<RunEnd> at;             // if moved, in the middle one of the rows that show it

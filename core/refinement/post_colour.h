@@ -34,7 +34,7 @@ struct RoughOutline {
 /// The weights that tell a background at offset e from the post best are w = M·e. Grey posts have d =
 /// (1,0,0): M then leaves chroma alone.
 struct PostColour {
-    static constexpr float unlike = 1e9F;
+    static constexpr float too_dark = 1e9F;  // for a difference
 
     CameraResponse response = CameraResponse::linear;  // what pixels are read as, here and compared with it
     PairColour mean = PairColour::Zero();
@@ -46,9 +46,9 @@ struct PostColour {
     int samples = 0;      // pairs of that colour
     int looked_at = 0;    // pairs
 
-    /// eᵀMe of a colour; `unlike` of one that is too dark to tell: black lies on every shade's line.
+    /// eᵀMe of a colour; `too_dark` of one too dark to tell: black lies on every shade's line.
     float difference(const PairColour& colour) const {
-        if (colour[0] < darkest) return unlike;
+        if (colour[0] < darkest) return too_dark;
         const Eigen::Vector3f e = colour - mean;
         return e.dot(contrast * e);
     }

@@ -73,7 +73,7 @@ void row_differences(const std::uint8_t* upper, const std::uint8_t* lower, std::
         const auto wv = three(y, u, v, m(2, 0), m(2, 1), m(2, 2));
         const auto all = hn::Add(hn::Mul(y, wy), hn::Add(hn::Mul(u, wu), hn::Mul(v, wv)));
         const auto dark = hn::Lt(hn::Mul(luma, hn::Set(d, 0.25F)), hn::Set(d, colour.darkest));
-        hn::StoreU(hn::IfThenElse(dark, hn::Set(d, PostColour::unlike), all), d,
+        hn::StoreU(hn::IfThenElse(dark, hn::Set(d, PostColour::too_dark), all), d,
                    differences.difference.data() + at);
     }
 }

@@ -254,7 +254,7 @@ bool SilhouetteFitter::left_windows(const RowLayout& layout, const SilhouetteFit
 bool SilhouetteFitter::settle(const Task& task, RowLayout& layout, SilhouetteFit& state) {
     constexpr int most_iterations = 10;
     constexpr int settled = 4;  // then rows that come and go with the step would keep it from settling
-    constexpr int most_readings = 2;
+    constexpr int most_readings = 3;  // posts in photographs need the third, if few do
     int readings = 0;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
         for (std::size_t side = 0; side < 2; ++side) planes_[side] = state.post.plane(sides[side]);

@@ -69,7 +69,7 @@ TEST(RunEnds, LieFarBeyondWhatIsHardlyAQuarterOfIt) {
     EXPECT_LT(ends[0].far_outside().rows, 6);
 }
 
-TEST(RunEnds, OfAWidePostAreToldFromAPolesThatSticksOutByThreePixels) {
+TEST(RunEnds, OfAWidePostAreToldFromAPolesThatSticksOutByFivePixels) {
     DrawnPost scene = small_scene();
     scene.distance = 0.55;
     scene.bearing = 0.06;  // its right edge is in the picture
